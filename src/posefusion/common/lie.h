@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+namespace posefusion {
+
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
+/// Tangent vectors of SE(3) are ordered (translation, rotation), as REP-103 orders covariances.
+
+/// Cross-product matrix: Skew(a) * b = a x b.
+Eigen::Matrix3d Skew(const Eigen::Vector3d& v);
+
+/// Rotation by |omega| radians about omega (Rodrigues).
+Eigen::Matrix3d ExpSO3(const Eigen::Vector3d& omega_rad);
+
+/// Inverse of ExpSO3; the result has a norm of at most pi.
+Eigen::Vector3d LogSO3(const Eigen::Matrix3d& rotation);
+
+/// Group exponential of a twist (metres, radians).
+Eigen::Isometry3d ExpSE3(const Vector6d& twist);
+
+/// Inverse of ExpSE3.
+Vector6d LogSE3(const Eigen::Isometry3d& T);
+
+/// T * ExpSE3(x) * T^-1 = ExpSE3(AdjointSE3(T) * x).
+Matrix6d AdjointSE3(const Eigen::Isometry3d& T);
+
+/// Same pose with its rotation made orthonormal again.
+Eigen::Isometry3d Orthonormalized(const Eigen::Isometry3d& T);
+
+}  // namespace posefusion

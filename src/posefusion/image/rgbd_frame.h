@@ -1,0 +1,23 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+#include "posefusion/common/stamp.h"
+#include "posefusion/image/camera_model.h"
+
+namespace posefusion {
+
+/// One colour image with depth registered to its pixels. Images are shared, never changed.
+struct RgbdFrame {
+  StampNs stamp_ns = 0;        ///< of the colour image; the key of everything made from the frame
+  StampNs depth_stamp_ns = 0;  ///< of the depth image
+  cv::Mat rgb;                 ///< CV_8UC3, order R G B
+  cv::Mat depth_m;             ///< CV_32FC1 metres along the optical axis, 0 = none
+  CameraModel camera;          ///< of both images, with the distortion that they have
+};
+
+/// @throws std::invalid_argument naming `source` when image types or sizes do not fit each other
+/// and the camera.
+void CheckFrame(const RgbdFrame& frame, const std::string& source);
+
+}  // namespace posefusion

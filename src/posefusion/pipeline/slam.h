@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "posefusion/common/stage_clock.h"
+#include "posefusion/common/trajectory.h"
+#include "posefusion/image/rgbd_frame.h"
+#include "posefusion/pipeline/slam_config.h"
+#include "posefusion/surfel/surfel_cloud.h"
+#include "posefusion/tracking/tracking_result.h"
+
+namespace posefusion {
+
+/// What became of one frame.
+struct FrameResult {
+  StampNs stamp_ns = 0;
+  TrackingResult tracking;
+  bool fused = false;
+  std::vector<StageTime> stage_times;
+
+  bool HasPose() const { return tracking.health != TrackingHealth::kFailed; }
+};
+
+/// The system without ROS: frames in stamp order in, camera poses and a dense map out.
+/// Synchronous and single-owner; the same frames give the same results for any number of threads.
+class Slam {
+ public:
+  /// @throws std::invalid_argument naming the key for a value out of range.
+  explicit Slam(const SlamConfig& config, int num_threads);
+  ~Slam();
+
+  /// Tracks and fuses one frame. `person_mask` (CV_8UC1 in the frame's pixels, 255 = person, empty
+  /// = nobody) keeps pixels out of tracking and map.
+  /// @throws std::invalid_argument for images that do not fit each other, for a camera other than
+  /// the first frame's, and for stamps that do not increase; the state is then unchanged.
+  FrameResult ProcessFrame(const RgbdFrame& frame, const cv::Mat& person_mask = cv::Mat());
+
+  /// Forgets map, poses and camera; the next frame starts anew.
+  void Reset();
+
+  /// Poses of all frames that have one, with what has been learnt since.
+  const Trajectory& trajectory() const;
+
+  /// The surfels of at least `min_confidence`.
+  SurfelCloud ExportMap(double min_confidence) const;
+
+  /// Number of surfels in the map, stable or not.
+  std::size_t NumSurfels() const;
+
+  /// The map seen from the last pose: CV_8UC3 R G B, black where nothing is. Empty before the first
+  /// frame.
+  cv::Mat ModelImage() const;
+
+  const SlamConfig& config() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace posefusion

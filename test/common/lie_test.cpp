@@ -1,0 +1,63 @@
+#include "posefusion/common/lie.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace posefusion {
+namespace {
+
+/// Double precision, lost a little by products of a few matrices.
+constexpr double kTolerance = 1e-11;
+
+Vector6d RandomTwist(std::mt19937& random, double scale) {
+  std::uniform_real_distribution<double> uniform(-scale, scale);
+  Vector6d twist;
+  for (int i = 0; i < 6; ++i) twist[i] = uniform(random);
+  return twist;
+}
+
+TEST(Lie, LogInvertsExpForSmallAndLargeTwists) {
+  std::mt19937 random(1);
+  for (const double scale : {1e-9, 1e-5, 1e-3, 0.1, 1.0, 1.7}) {
+    for (int i = 0; i < 50; ++i) {
+      const Vector6d twist = RandomTwist(random, scale);
+      EXPECT_LT((LogSE3(ExpSE3(twist)) - twist).norm(), kTolerance * (1 + scale)) << scale;
+    }
+  }
+}
+
+TEST(Lie, LogOfHalfTurnHasNormPi) {
+  const Eigen::Vector3d omega = Eigen::Vector3d(1, 2, -2) / 3 * M_PI;
+  EXPECT_NEAR(LogSO3(ExpSO3(omega)).norm(), M_PI, 1e-7);
+}
+
+TEST(Lie, ExpIsOrthonormal) {
+  std::mt19937 random(2);
+  for (int i = 0; i < 50; ++i) {
+    const Eigen::Matrix3d R = ExpSE3(RandomTwist(random, 2)).linear();
+    EXPECT_LT((R * R.transpose() - Eigen::Matrix3d::Identity()).norm(), kTolerance);
+    EXPECT_NEAR(R.determinant(), 1, kTolerance);
+  }
+}
+
+TEST(Lie, AdjointMovesTwistThroughPose) {
+  std::mt19937 random(3);
+  for (int i = 0; i < 50; ++i) {
+    const Eigen::Isometry3d T = ExpSE3(RandomTwist(random, 1));
+    const Vector6d twist = RandomTwist(random, 0.5);
+    const Eigen::Isometry3d left = T * ExpSE3(twist) * T.inverse();
+    const Eigen::Isometry3d right = ExpSE3(AdjointSE3(T) * twist);
+    EXPECT_LT((left.matrix() - right.matrix()).norm(), kTolerance);
+  }
+}
+
+TEST(Lie, SkewIsCrossProduct) {
+  const Eigen::Vector3d a(1, -2, 3);
+  const Eigen::Vector3d b(0.5, 4, -1);
+  EXPECT_LT((Skew(a) * b - a.cross(b)).norm(), kTolerance);
+}
+
+}  // namespace
+}  // namespace posefusion
