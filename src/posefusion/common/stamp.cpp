@@ -28,6 +28,10 @@ StampNs StampFromSeconds(double seconds) {
   return static_cast<StampNs>(std::llround(seconds / kSecondsPerNanosecond));
 }
 
+double ToSeconds(StampNs stamp_ns) {
+  return static_cast<double>(static_cast<long double>(stamp_ns) / kNanosecondsPerSecond);
+}
+
 std::optional<StampNs> ParseStamp(const std::string& text) {
   const std::size_t dot = text.find('.');
   const std::string whole = text.substr(0, dot);

@@ -18,6 +18,9 @@ inline double SecondsBetween(StampNs earlier, StampNs later) {
 
 StampNs StampFromSeconds(double seconds);
 
+/// The double nearest to the stamp in seconds: exact to about 0.2 us for times of today.
+double ToSeconds(StampNs stamp_ns);
+
 /// Reads decimal seconds ("1305031102.175304") exactly, digit by digit; at most nine decimals.
 /// Empty when the text is anything else.
 std::optional<StampNs> ParseStamp(const std::string& text);
