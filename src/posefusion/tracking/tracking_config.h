@@ -44,6 +44,8 @@ struct TrackingConfig {
   double intensity_distance_m = 0.07;   ///< photometric pixels lie this close to the model
   double intensity_sigma_floor = 4.0;   ///< least scale of photometric residuals, grey levels
   double intensity_min_gradient = 1.0;  ///< flatter pixels say nothing, grey levels per pixel
+  double depth_lag_s = 0.0;          ///< depth is older than its stamp says, relative to colour
+  int velocity_frames = 3;           ///< camera velocity is the mean over so many frames
   double student_t_dof = 5.0;           ///< of the robust weights, Kerl et al. 2013
   bool estimate_brightness = true;      ///< follow exposure changes by a common offset
   double min_inlier_ratio = 0.25;       ///< below, the frame is not tracked
@@ -75,6 +77,8 @@ void Describe(V& v, TrackingConfig& c) {
   v.Field("intensity_distance_m", c.intensity_distance_m, 0.001, 2.0);
   v.Field("intensity_sigma_floor", c.intensity_sigma_floor, 0.1, 100.0);
   v.Field("intensity_min_gradient", c.intensity_min_gradient, 0.0, 100.0);
+  v.Field("depth_lag_s", c.depth_lag_s, -0.2, 0.2);
+  v.Field("velocity_frames", c.velocity_frames, 1, 30);
   v.Field("student_t_dof", c.student_t_dof, 1.0, 1e6);
   v.Field("estimate_brightness", c.estimate_brightness);
   v.Field("min_inlier_ratio", c.min_inlier_ratio, 0.0, 1.0);
