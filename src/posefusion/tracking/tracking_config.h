@@ -37,7 +37,7 @@ struct TrackingConfig {
   double min_step_rad = 5e-5;  ///< ... and this
   bool use_icp = true;
   bool use_intensity = true;
-  double icp_weight = 1.0;              ///< multiplies the point-to-plane information
+  double icp_weight = 0.05;             ///< multiplies the point-to-plane information
   double icp_distance_m = 0.10;         ///< correspondences further apart are none
   double icp_angle_rad = 0.5;           ///< nor those with normals this far apart
   double icp_sigma_floor_m = 0.002;     ///< noise of the model, added to the depth noise
@@ -50,7 +50,7 @@ struct TrackingConfig {
   bool estimate_brightness = true;      ///< follow exposure changes by a common offset
   double min_inlier_ratio = 0.25;       ///< below, the frame is not tracked
   double min_valid_ratio = 0.05;        ///< share of pixels with depth below which nothing is tried
-  double max_icp_rms_sigmas = 4.0;      ///< residuals of more depth noise sigmas: not tracked
+  double max_icp_rms_sigmas = 10.0;      ///< residuals of more depth noise sigmas: not tracked
   double max_translation_m = 0.3;       ///< faster motion between two frames is not believed
   double max_rotation_rad = 0.6;        ///< nor faster rotation
   double weak_sigma_m = 0.02;           ///< pose uncertain by more than this: health kWeak
