@@ -28,10 +28,9 @@ void CheckRange(const std::string& key, Number value, Number min, Number max) {
 
 }  // namespace
 
-ConfigReader::ConfigReader(const YAML::Node& node, std::string prefix)
-    : prefix_(std::move(prefix)) {
-  // A missing key gives an undefined node, which may not be asked anything else.
-  if (node.IsDefined()) node_.reset(node);
+ConfigReader::ConfigReader(YAML::Node node, std::string prefix)
+    : node_(node.IsDefined() ? std::move(node) : YAML::Node(YAML::NodeType::Null)),
+      prefix_(std::move(prefix)) {
   if (!node_.IsNull() && !node_.IsMap()) {
     throw std::invalid_argument(prefix_ + ": expected a map of keys, got '" + YAML::Dump(node_) +
                                 "'");

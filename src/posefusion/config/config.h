@@ -24,7 +24,7 @@ namespace posefusion {
 /// of another type, out of range, or (at the end of a group) a key that nobody asked for.
 class ConfigReader {
  public:
-  ConfigReader(const YAML::Node& node, std::string prefix);
+  ConfigReader(YAML::Node node, std::string prefix);
 
   void Field(const char* key, bool& value);
   void Field(const char* key, std::string& value);
@@ -54,7 +54,7 @@ class ConfigReader {
   void ReadNumber(const char* key, double& value, double min, double max);
   int ReadChoice(const char* key, int value, const std::vector<const char*>& names);
 
-  YAML::Node node_;  ///< a map, or null where the yaml has nothing for this group
+  YAML::Node node_;
   std::string prefix_;
   std::vector<std::string> known_keys_;
 };
