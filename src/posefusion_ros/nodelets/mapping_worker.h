@@ -1,0 +1,71 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <thread>
+
+#include "posefusion/pipeline/slam.h"
+#include "posefusion_ros/bounded_queue.h"
+#include "posefusion_ros/frame_assembler.h"
+#include "posefusion_ros/nodelets/mapping_config.h"
+#include "posefusion_ros/trouble_log.h"
+
+namespace posefusion {
+
+/// Counts since the start or the last reset.
+struct MappingCounts {
+  std::size_t processed = 0;
+  std::size_t tracked = 0;
+  std::size_t refused = 0;
+  std::size_t resets = 0;
+};
+
+/// Runs Slam on its own thread behind a bounded queue. Whoever makes it gets called back on that
+/// thread, which is the only one that touches Slam.
+class MappingWorker {
+ public:
+  struct Callbacks {
+    /// After each frame given to Slam.
+    std::function<void(const Slam&, const FrameResult&, const std_msgs::Header& rgb_header)> frame;
+    std::function<void(const Slam&)> idle;  ///< several times a second while nothing comes
+    std::function<void()> reset;            ///< map and poses have been forgotten
+    /// At the end, after the last frame.
+    std::function<void(const Slam&)> finish;
+    TroubleLog::Sink log_error;
+    TroubleLog::Sink log_info;
+  };
+
+  /// `topics` are the resolved names, for error messages.
+  /// @throws std::invalid_argument naming the key for a value out of range.
+  MappingWorker(const MappingConfig& config, RgbdTopics topics, Callbacks callbacks);
+
+  /// Stops after the frame in work; frames that wait are forgotten.
+  ~MappingWorker();
+
+  /// Thread-safe; returns at once.
+  void Push(RgbdMessages messages) { queue_.Push(std::move(messages)); }
+
+  std::size_t queue_length() const { return queue_.size(); }
+  std::size_t num_dropped() const { return queue_.num_dropped(); }
+
+  /// To be called from the callbacks only.
+  const MappingCounts& counts() const { return counts_; }
+
+ private:
+  void Run();
+  void Work(const RgbdMessages& messages);
+  bool IsInOrder(StampNs stamp_ns);
+  void Refuse(const std::string& text);
+
+  const MappingRosConfig config_;
+  const RgbdTopics topics_;
+  const Callbacks callbacks_;
+  Slam slam_;
+  TroubleLog trouble_;
+  MappingCounts counts_;
+  StampNs last_stamp_ns_ = -1;
+  BoundedQueue<RgbdMessages> queue_;
+  std::thread thread_;
+};
+
+}  // namespace posefusion
