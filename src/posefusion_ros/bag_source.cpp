@@ -38,7 +38,7 @@ int CountMessages(const rosbag::Bag& bag, const std::string& path, const std::st
   rosbag::View view(bag, rosbag::TopicQuery(topic));
   if (view.size() == 0) {
     std::string others;
-    const rosbag::View all(bag);
+    rosbag::View all(bag);
     for (const auto* connection : all.getConnections()) {
       if (connection->datatype == type) others += " " + connection->topic;
     }
@@ -56,7 +56,8 @@ int CountMessages(const rosbag::Bag& bag, const std::string& path, const std::st
 template <class Message>
 boost::shared_ptr<Message> Read(const rosbag::MessageInstance& message) {
   auto content = message.instantiate<Message>();
-  if (!content) throw std::runtime_error("written with another definition of " + message.getDataType());
+  if (!content)
+    throw std::runtime_error("written with another definition of " + message.getDataType());
   return content;
 }
 
@@ -154,9 +155,9 @@ std::optional<RgbdFrame> BagSource::Next() {
     try {
       frame = ToRgbdFrame(messages, state_->options.images_are_rectified, state_->topics);
     } catch (const std::invalid_argument& error) {
-      throw std::runtime_error(state_->path + ": " + error.what() + " (frame " +
-                               FormatStamp(static_cast<StampNs>(
-                                   messages.rgb->header.stamp.toNSec())) + ")");
+      throw std::runtime_error(
+          state_->path + ": " + error.what() + " (frame " +
+          FormatStamp(static_cast<StampNs>(messages.rgb->header.stamp.toNSec())) + ")");
     }
     if (state_->IsInOrder(frame)) return frame;
   }

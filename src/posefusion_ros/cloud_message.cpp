@@ -1,6 +1,7 @@
 #include <sensor_msgs/PointField.h>
 
 #include <array>
+#include <boost/make_shared.hpp>
 #include <cstring>
 
 #include "posefusion_ros/conversions.h"
@@ -50,9 +51,15 @@ sensor_msgs::PointCloud2Ptr ToPointCloud2(const SurfelCloud& cloud,
   for (std::size_t i = 0; i < cloud.size(); ++i, out += kPointBytes) {
     const Eigen::Vector3f& p = cloud.position_m[i];
     const Eigen::Vector3f& n = cloud.normal[i];
-    const std::array<float, kFields.size()> point = {
-        p.x(), p.y(), p.z(),           PackedRgb(cloud.rgb[i]), n.x(),
-        n.y(), n.z(), cloud.radius_m[i], cloud.confidence[i]};
+    const std::array<float, kFields.size()> point = {p.x(),
+                                                     p.y(),
+                                                     p.z(),
+                                                     PackedRgb(cloud.rgb[i]),
+                                                     n.x(),
+                                                     n.y(),
+                                                     n.z(),
+                                                     cloud.radius_m[i],
+                                                     cloud.confidence[i]};
     std::memcpy(out, point.data(), kPointBytes);
   }
   return message;

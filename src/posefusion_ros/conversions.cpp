@@ -4,6 +4,7 @@
 #include <sensor_msgs/image_encodings.h>
 
 #include <algorithm>
+#include <boost/make_shared.hpp>
 #include <cstring>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
@@ -98,7 +99,8 @@ cv::Mat ToDepthM(const sensor_msgs::ImageConstPtr& image, const std::string& top
     Refuse(topic, "depth encoding '" + encoding + "' is neither 32FC1 (metres) nor 16UC1 (mm)");
   }
   if (image->is_bigendian != 0) Refuse(topic, "big-endian depth is not supported");
-  if (encoding == encodings::TYPE_32FC1) return DepthToMetres(ShareImage(image, CV_32FC1, topic), topic);
+  if (encoding == encodings::TYPE_32FC1)
+    return DepthToMetres(ShareImage(image, CV_32FC1, topic), topic);
   return DepthToMetres(ShareImage(image, CV_16UC1, topic), topic);
 }
 

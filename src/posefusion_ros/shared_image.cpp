@@ -43,8 +43,8 @@ void CheckBytes(const sensor_msgs::Image& image, int type, const std::string& to
   const std::size_t need = static_cast<std::size_t>(image.step) * (image.height - 1) + row_bytes;
   if (image.step >= row_bytes && image.data.size() >= need) return;
   throw std::invalid_argument(topic + ": torn image, " + std::to_string(image.data.size()) +
-                              " bytes with rows of " + std::to_string(image.step) +
-                              " make no " + image.encoding + " of size " + size);
+                              " bytes with rows of " + std::to_string(image.step) + " make no " +
+                              image.encoding + " of size " + size);
 }
 
 }  // namespace

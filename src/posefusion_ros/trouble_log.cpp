@@ -18,9 +18,10 @@ void TroubleLog::Report(const std::string& text, double now_s) {
 
 void TroubleLog::AllWell() {
   if (num_reports_ == 0) return;
-  info_("back to normal after " + std::to_string(num_reports_) + " bad ones, the last: " +
-        last_text_);
+  info_("back to normal after " + std::to_string(num_reports_) +
+        " bad ones, the last: " + last_text_);
   num_reports_ = 0;
+  last_text_.clear();
 }
 
 double SteadyNowS() {

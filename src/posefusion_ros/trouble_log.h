@@ -20,7 +20,8 @@ class TroubleLog {
   /// Tells that all is well again; costs nothing when it has been well before.
   void AllWell();
 
-  int num_reports() const { return num_reports_; }  ///< since it was well last
+  /// The last report; empty when all is well.
+  const std::string& trouble() const { return last_text_; }
 
  private:
   const double period_s_;

@@ -33,7 +33,8 @@ void CloudPublisher::Offer(const Slam& slam, const std_msgs::Header& header) {
 
 void CloudPublisher::Run() {
   while (!jobs_.closed()) {
-    if (const auto job = jobs_.PopFor(kWait)) publisher_.publish(ToPointCloud2(job->cloud, job->header));
+    if (const auto job = jobs_.PopFor(kWait))
+      publisher_.publish(ToPointCloud2(job->cloud, job->header));
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <ros/ros.h>
+#include <std_msgs/Header.h>
 
 #include <string>
 #include <thread>

@@ -13,11 +13,30 @@
 namespace posefusion {
 namespace {
 
-/// Mean velocity between two poses in the axes of the second one's camera: m/s and rad/s.
-Vector6d VelocityInCamera(const StampedPose& before, const StampedPose& now) {
+/// Mean velocity between two poses in the axes of the second one's camera.
+geometry_msgs::TwistWithCovariance VelocityInCamera(const StampedPose& before,
+                                                    const StampedPose& now,
+                                                    const Matrix6d& pose_covariance) {
   const double seconds = SecondsBetween(before.stamp_ns, now.stamp_ns);
-  return LogSE3(before.T_map_camera.inverse() * now.T_map_camera) / seconds;
+  const Vector6d velocity = LogSE3(before.T_map_camera.inverse() * now.T_map_camera) / seconds;
+  geometry_msgs::TwistWithCovariance twist;
+  twist.twist.linear.x = velocity[0];
+  twist.twist.linear.y = velocity[1];
+  twist.twist.linear.z = velocity[2];
+  twist.twist.angular.x = velocity[3];
+  twist.twist.angular.y = velocity[4];
+  twist.twist.angular.z = velocity[5];
+  // Difference of two poses with independent errors of the size of this one's.
+  Matrix6d R_camera_map = Matrix6d::Zero();
+  R_camera_map.topLeftCorner<3, 3>() = now.T_map_camera.linear().transpose();
+  R_camera_map.bottomRightCorner<3, 3>() = now.T_map_camera.linear().transpose();
+  Eigen::Map<Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(twist.covariance.data()) =
+      R_camera_map * pose_covariance * R_camera_map.transpose() * (2 / (seconds * seconds));
+  return twist;
 }
+
+/// At most this many poses go out at once; longer paths are thinned.
+constexpr std::size_t kMaxPathPoses = 3000;
 
 }  // namespace
 
@@ -67,11 +86,10 @@ void MappingPublishers::Reset() {
   path_.publish(path);
 }
 
-void MappingPublishers::PublishPose(const FrameResult& result,
-                                    const std_msgs::Header& rgb_header) {
+void MappingPublishers::PublishPose(const FrameResult& result, const std_msgs::Header& rgb_header) {
   if (config_.ros.publish_tf) {
-    tf_.sendTransform(ToTransformMessage(result.tracking.T_map_camera, config_.frames.map_frame,
-                                         rgb_header));
+    tf_.sendTransform(
+        ToTransformMessage(result.tracking.T_map_camera, config_.frames.map_frame, rgb_header));
   }
   geometry_msgs::PoseWithCovarianceStamped pose;
   pose.header = MapHeader(rgb_header.stamp);
@@ -87,22 +105,25 @@ void MappingPublishers::PublishOdometry(const FrameResult& result,
   odometry.pose = ToPoseWithCovariance(result.tracking);
   if (last_pose_) {
     const StampedPose now{result.stamp_ns, result.tracking.T_map_camera};
-    FillTwist(VelocityInCamera(*last_pose_, now), odometry.twist.twist);
+    odometry.twist = VelocityInCamera(*last_pose_, now, result.tracking.covariance);
   }
   odometry_.publish(odometry);
 }
 
 void MappingPublishers::PublishPath(const Slam& slam) {
+  const Trajectory& poses = slam.trajectory();
+  if (poses.empty() || path_.getNumSubscribers() == 0) return;
   last_path_s_ = SteadyNowS();
-  published_path_length_ = slam.trajectory().size();
+  published_path_length_ = poses.size();
   auto path = boost::make_shared<nav_msgs::Path>();
-  for (const auto& pose : slam.trajectory()) {
+  path->header = MapHeader(ToRosTime(poses.back().stamp_ns));
+  const std::size_t step = 1 + poses.size() / kMaxPathPoses;
+  for (std::size_t i = (poses.size() - 1) % step; i < poses.size(); i += step) {
     geometry_msgs::PoseStamped stamped;
-    stamped.header = MapHeader(ToRosTime(pose.stamp_ns));
-    stamped.pose = ToPoseMessage(pose.T_map_camera);
+    stamped.header = MapHeader(ToRosTime(poses[i].stamp_ns));
+    stamped.pose = ToPoseMessage(poses[i].T_map_camera);
     path->poses.push_back(std::move(stamped));
   }
-  if (!path->poses.empty()) path->header = path->poses.back().header;
   path_.publish(path);
 }
 

@@ -35,37 +35,37 @@ MappingWorker::~MappingWorker() {
 void MappingWorker::Run() {
   while (!queue_.closed()) {
     const auto messages = queue_.PopFor(kIdlePeriod);
-    try {
-      if (messages) {
-        Work(*messages);
-      } else {
-        callbacks_.idle(slam_);
-      }
-    } catch (const std::exception& error) {
-      Refuse(error.what());
-    }
+    bool worked = false;
+    Guarded([&] { worked = messages && Work(*messages); });
+    if (!worked) Guarded([&] { callbacks_.idle(slam_); });
   }
+  Guarded([&] { callbacks_.finish(slam_); });
+}
+
+void MappingWorker::Guarded(const std::function<void()>& step) {
   try {
-    callbacks_.finish(slam_);
+    step();
   } catch (const std::exception& error) {
-    callbacks_.log_error(error.what());
+    Refuse(error.what());
   }
 }
 
-void MappingWorker::Work(const RgbdMessages& messages) {
+bool MappingWorker::Work(const RgbdMessages& messages) {
   const RgbdFrame frame = ToRgbdFrame(messages, config_.images_are_rectified, topics_);
-  if (!IsInOrder(frame.stamp_ns)) return;
+  if (!IsInOrder(frame.stamp_ns)) return false;
   FrameResult result;
   try {
     result = slam_.ProcessFrame(frame);
   } catch (const std::invalid_argument& error) {
-    return Refuse(topics_.rgb + ", " + topics_.depth + ", " + topics_.info + ": " + error.what());
+    Refuse(topics_.rgb + ", " + topics_.depth + ", " + topics_.info + ": " + error.what());
+    return false;
   }
   last_stamp_ns_ = frame.stamp_ns;
   ++counts_.processed;
   if (result.HasPose()) ++counts_.tracked;
   trouble_.AllWell();
   callbacks_.frame(slam_, result, messages.rgb->header);
+  return true;
 }
 
 bool MappingWorker::IsInOrder(StampNs stamp_ns) {
@@ -75,8 +75,8 @@ bool MappingWorker::IsInOrder(StampNs stamp_ns) {
     Refuse(topics_.rgb + ": stamp " + FormatStamp(stamp_ns) + " is not after the one before");
     return false;
   }
-  callbacks_.log_info("time went back by " + std::to_string(back_s) + " s (a bag restarted?): " +
-                      "map and poses start anew");
+  callbacks_.log_info("time went back by " + std::to_string(back_s) +
+                      " s (a bag restarted?): " + "map and poses start anew");
   slam_.Reset();
   const std::size_t resets = counts_.resets + 1;
   counts_ = {};

@@ -27,7 +27,7 @@ class MappingWorker {
   struct Callbacks {
     /// After each frame given to Slam.
     std::function<void(const Slam&, const FrameResult&, const std_msgs::Header& rgb_header)> frame;
-    std::function<void(const Slam&)> idle;  ///< several times a second while nothing comes
+    std::function<void(const Slam&)> idle;  ///< several times a second while no good frame comes
     std::function<void()> reset;            ///< map and poses have been forgotten
     /// At the end, after the last frame.
     std::function<void(const Slam&)> finish;
@@ -48,12 +48,17 @@ class MappingWorker {
   std::size_t queue_length() const { return queue_.size(); }
   std::size_t num_dropped() const { return queue_.num_dropped(); }
 
-  /// To be called from the callbacks only.
+  // To be called from the callbacks only.
   const MappingCounts& counts() const { return counts_; }
+  /// Why the last frame could not be used; empty when it could.
+  const std::string& trouble() const { return trouble_.trouble(); }
 
  private:
   void Run();
-  void Work(const RgbdMessages& messages);
+  /// Lets no exception through: it is counted and told instead.
+  void Guarded(const std::function<void()>& step);
+  /// False when the frame was not given to Slam.
+  bool Work(const RgbdMessages& messages);
   bool IsInOrder(StampNs stamp_ns);
   void Refuse(const std::string& text);
 
