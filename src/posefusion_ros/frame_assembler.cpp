@@ -53,7 +53,13 @@ sensor_msgs::CameraInfoConstPtr FrameAssembler::FindInfo(const ros::Time& stamp)
 
 std::vector<RgbdMessages> FrameAssembler::Complete(std::vector<Matcher::Pair> pairs,
                                                    std::size_t max_waiting) {
-  for (auto& pair : pairs) waiting_for_info_.push_back(std::move(pair));
+  for (auto& pair : pairs) {
+    const bool time_turned_back =
+        !waiting_for_info_.empty() &&
+        pair.first->header.stamp < waiting_for_info_.back().first->header.stamp;
+    if (time_turned_back) waiting_for_info_.clear();
+    waiting_for_info_.push_back(std::move(pair));
+  }
   std::vector<RgbdMessages> frames;
   while (!waiting_for_info_.empty()) {
     auto& [rgb, depth] = waiting_for_info_.front();

@@ -41,7 +41,8 @@ void CheckBytes(const sensor_msgs::Image& image, int type, const std::string& to
   }
   const std::size_t row_bytes = static_cast<std::size_t>(image.width) * CV_ELEM_SIZE(type);
   const std::size_t need = static_cast<std::size_t>(image.step) * (image.height - 1) + row_bytes;
-  if (image.step >= row_bytes && image.data.size() >= need) return;
+  const bool aligned = image.step % CV_ELEM_SIZE1(type) == 0;
+  if (aligned && image.step >= row_bytes && image.data.size() >= need) return;
   throw std::invalid_argument(topic + ": torn image, " + std::to_string(image.data.size()) +
                               " bytes with rows of " + std::to_string(image.step) + " make no " +
                               image.encoding + " of size " + size);
