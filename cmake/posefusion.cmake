@@ -4,7 +4,7 @@
 # units, so that every dispatch variant of a kernel gives the same bits.
 add_library(posefusion_flags INTERFACE)
 target_compile_options(posefusion_flags INTERFACE
-  -Wall -Wextra -Wconversion -ffp-contract=off -fno-math-errno -fno-trapping-math)
+  -Wall -Wextra -Wconversion -ffp-contract=off -fno-math-errno -fno-trapping-math -Wno-psabi)
 target_include_directories(posefusion_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
 
 # posefusion_library(NAME SOURCES ... DEPENDS ... [PRIVATE_DEPENDS ...])

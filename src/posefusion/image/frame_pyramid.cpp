@@ -1,0 +1,137 @@
+#include "posefusion/image/frame_pyramid.h"
+
+#include <algorithm>
+
+#include "posefusion/common/simd.h"
+
+namespace posefusion {
+namespace {
+
+constexpr int kRowsPerBlock = 16;
+constexpr float kNoIntensity = -1;
+
+/// ITU-R BT.601 luma.
+constexpr float kRed = 0.299F;
+constexpr float kGreen = 0.587F;
+constexpr float kBlue = 0.114F;
+
+POSEFUSION_KERNEL void GreyRow(const std::uint8_t* rgb, int width, float* grey) {
+  for (int x = 0; x < width; ++x) {
+    const auto r = static_cast<float>(rgb[3 * x]);
+    const auto g = static_cast<float>(rgb[3 * x + 1]);
+    const auto b = static_cast<float>(rgb[3 * x + 2]);
+    // Black to the last bit is what rectification leaves outside the picture.
+    const float value = kRed * r + kGreen * g + kBlue * b;
+    grey[x] = value > 0 ? value : kNoIntensity;
+  }
+}
+
+POSEFUSION_KERNEL void CutDepthRow(const float* depth, int width, float min_m, float max_m,
+                                   float* output) {
+  for (int x = 0; x < width; ++x) {
+    const float z = depth[x];
+    output[x] = z >= min_m && z <= max_m ? z : 0.0F;  // false for NaN
+  }
+}
+
+void MaskRow(const std::uint8_t* mask, int width, float* grey, float* depth) {
+  for (int x = 0; x < width; ++x) {
+    if (mask[x] == 0) continue;
+    grey[x] = kNoIntensity;
+    depth[x] = 0;
+  }
+}
+
+/// Mean of each 2x2 block; none when one of the four is missing.
+void HalveIntensity(const Grid<float>& fine, const ParallelRunner& parallel, Grid<float>& coarse) {
+  parallel.ForEachRange(coarse.height(), kRowsPerBlock, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      const float* a = fine.row(2 * y);
+      const float* b = fine.row(2 * y + 1);
+      float* out = coarse.row(y);
+      for (int x = 0; x < coarse.width(); ++x) {
+        const float lowest =
+            std::min(std::min(a[2 * x], a[2 * x + 1]), std::min(b[2 * x], b[2 * x + 1]));
+        const float mean = 0.25F * ((a[2 * x] + a[2 * x + 1]) + (b[2 * x] + b[2 * x + 1]));
+        out[x] = lowest < 0 ? kNoIntensity : mean;
+      }
+    }
+  });
+}
+
+/// Mean of the depths of each 2x2 block that lie near the nearest of them; none where fewer than
+/// two do.
+void HalveDepth(const Grid<float>& fine, float sigmas, const DepthNoiseConfig& noise,
+                const ParallelRunner& parallel, Grid<float>& coarse) {
+  constexpr float kFar = 1e9F;
+  constexpr float kEnough = 2;
+  parallel.ForEachRange(coarse.height(), kRowsPerBlock, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      const float* a = fine.row(2 * y);
+      const float* b = fine.row(2 * y + 1);
+      float* out = coarse.row(y);
+      for (int x = 0; x < coarse.width(); ++x) {
+        const float z[4] = {a[2 * x], a[2 * x + 1], b[2 * x], b[2 * x + 1]};
+        float nearest = kFar;
+        for (const float value : z) nearest = value > 0 && value < nearest ? value : nearest;
+        const float limit = nearest + sigmas * DepthSigma(noise, nearest);
+        float sum = 0;
+        float count = 0;
+        for (const float value : z) {
+          const float use = value > 0 && value <= limit ? 1.0F : 0.0F;
+          sum += use * value;
+          count += use;
+        }
+        out[x] = count >= kEnough ? sum / count : 0.0F;
+      }
+    }
+  });
+}
+
+}  // namespace
+
+PyramidBuilder::PyramidBuilder(const PyramidConfig& config, const DepthNoiseConfig& noise)
+    : config_(config), noise_(noise), depth_filter_(config.depth_filter, noise) {}
+
+void PyramidBuilder::Build(const RgbdFrame& frame, const cv::Mat& mask,
+                           const ParallelRunner& parallel, FramePyramid& pyramid) {
+  const int width = frame.camera.width;
+  const int height = frame.camera.height;
+  pyramid.stamp_ns = frame.stamp_ns;
+  pyramid.rgb = frame.rgb;
+  pyramid.raw_depth_m.Resize(width, height);
+  pyramid.levels.resize(static_cast<std::size_t>(config_.num_levels));
+  for (std::size_t l = 0; l < pyramid.levels.size(); ++l) {
+    PyramidLevel& level = pyramid.levels[l];
+    level.camera = frame.camera.AtLevel(static_cast<int>(l));
+    level.intensity.Resize(level.camera.width, level.camera.height);
+    level.depth_m.Resize(level.camera.width, level.camera.height);
+  }
+  PyramidLevel& finest = pyramid.levels.front();
+  const auto min_m = static_cast<float>(config_.min_depth_m);
+  const auto max_m = static_cast<float>(config_.max_depth_m);
+  parallel.ForEachRange(height, kRowsPerBlock, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      GreyRow(frame.rgb.ptr<std::uint8_t>(y), width, finest.intensity.row(y));
+      CutDepthRow(frame.depth_m.ptr<float>(y), width, min_m, max_m, pyramid.raw_depth_m.row(y));
+      if (mask.empty()) continue;
+      MaskRow(mask.ptr<std::uint8_t>(y), width, finest.intensity.row(y),
+              pyramid.raw_depth_m.row(y));
+    }
+  });
+  depth_filter_.Apply(pyramid.raw_depth_m, parallel, finest.depth_m);
+  for (std::size_t l = 0; l < pyramid.levels.size(); ++l) {
+    PyramidLevel& level = pyramid.levels[l];
+    if (l > 0) {
+      const PyramidLevel& finer = pyramid.levels[l - 1];
+      HalveIntensity(finer.intensity, parallel, level.intensity);
+      HalveDepth(finer.depth_m, static_cast<float>(config_.depth_filter.range_sigmas), noise_,
+                 parallel, level.depth_m);
+    }
+    NormalConfig normals = config_.normals;
+    if (l > 0) normals.step_px = 1;  // the pyramid has smoothed already
+    ComputeNormals(level.depth_m, level.camera, normals, noise_, parallel, level.normals);
+  }
+}
+
+}  // namespace posefusion

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "posefusion/common/parallel.h"
+#include "posefusion/image/camera_model.h"
+#include "posefusion/image/depth_filter.h"
+#include "posefusion/image/depth_noise.h"
+#include "posefusion/image/normals.h"
+#include "posefusion/image/rgbd_frame.h"
+
+namespace posefusion {
+
+/// One resolution of a frame. Pixel grids of equal size.
+struct PyramidLevel {
+  CameraModel camera;
+  Grid<float> intensity;  ///< grey 0..255; below 0 = masked or not seen
+  Grid<float> depth_m;    ///< smoothed, 0 = none or masked
+  NormalMap normals;      ///< of depth_m
+};
+
+/// What tracking and fusion need of a rectified frame, made once per frame.
+struct FramePyramid {
+  StampNs stamp_ns = 0;
+  cv::Mat rgb;                       ///< as in the frame
+  Grid<float> raw_depth_m;           ///< as in the frame within the cut-off, 0 = none or masked
+  std::vector<PyramidLevel> levels;  ///< 0 = full resolution
+};
+
+struct PyramidConfig {
+  int num_levels = 4;        ///< resolutions, each half of the one before
+  double min_depth_m = 0.3;  ///< nearer depth is ignored
+  double max_depth_m = 5.0;  ///< depth cut-off: farther depth is ignored
+  DepthFilterConfig depth_filter;
+  NormalConfig normals;
+};
+
+template <class V>
+void Describe(V& v, PyramidConfig& c) {
+  v.Field("num_levels", c.num_levels, 1, 6);
+  v.Field("min_depth_m", c.min_depth_m, 0.0, 10.0);
+  v.Field("max_depth_m", c.max_depth_m, 0.1, 100.0);
+  v.Group("depth_filter", c.depth_filter);
+  v.Group("normals", c.normals);
+}
+
+/// Builds pyramids, reusing the memory of the one given back.
+class PyramidBuilder {
+ public:
+  PyramidBuilder(const PyramidConfig& config, const DepthNoiseConfig& noise);
+
+  /// Fills `pyramid` from a frame without distortion. `mask` (CV_8UC1, 255 = leave out; may be
+  /// empty) removes depth and intensity at every level that touches it.
+  void Build(const RgbdFrame& frame, const cv::Mat& mask, const ParallelRunner& parallel,
+             FramePyramid& pyramid);
+
+ private:
+  PyramidConfig config_;
+  DepthNoiseConfig noise_;
+  DepthFilter depth_filter_;
+};
+
+}  // namespace posefusion

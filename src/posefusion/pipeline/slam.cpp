@@ -1,0 +1,171 @@
+#include "posefusion/pipeline/slam.h"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "posefusion/common/parallel.h"
+#include "posefusion/image/rectifier.h"
+#include "posefusion/surfel/fusion.h"
+#include "posefusion/tracking/tracker.h"
+
+namespace posefusion {
+namespace {
+
+/// Start pose: x forward, y left, z up (REP-103) for a level camera at the origin.
+Eigen::Isometry3d LevelCamera() {
+  Eigen::Isometry3d T_map_camera = Eigen::Isometry3d::Identity();
+  T_map_camera.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  return T_map_camera;
+}
+
+}  // namespace
+
+/// What lives as long as the camera and the map stay the same.
+struct Slam::State {
+  State(const SlamConfig& config_in, int num_threads) : config(config_in), parallel(num_threads) {
+    Clear();
+  }
+
+  void Clear() {
+    rectifier.reset();
+    builder.emplace(config.pyramid, config.depth_noise);
+    tracker.emplace(config.tracking, config.depth_noise);
+    fuser.emplace(config.fusion, config.depth_noise);
+    splatter.emplace(config.splat, config.depth_noise);
+    map.emplace(config.surfel_map);
+    view = ModelView();
+    trajectory.clear();
+    last_stamp_ns.reset();
+    camera.reset();
+  }
+
+  SlamConfig config;
+  ParallelRunner parallel;
+  std::optional<CameraModel> camera;  ///< of the frames as they come in
+  std::optional<Rectifier> rectifier;
+  std::optional<PyramidBuilder> builder;
+  std::optional<Tracker> tracker;
+  std::optional<Fuser> fuser;
+  std::optional<Splatter> splatter;
+  std::optional<SurfelMap> map;
+  FramePyramid pyramid;
+  ModelView view;
+  Trajectory trajectory;
+  std::optional<StampNs> last_stamp_ns;
+  StageClock clock;
+
+  void Check(const RgbdFrame& frame, const cv::Mat& mask) const;
+  void Rectify(const RgbdFrame& frame, const cv::Mat& mask);
+  void Prepare();
+  TrackingResult Track();
+  void FuseInto(const TrackingResult& tracking);
+  void Predict();
+  double MotionWeight() const;
+
+  RgbdFrame rectified;
+  cv::Mat rectified_mask;
+};
+
+void Slam::State::Check(const RgbdFrame& frame, const cv::Mat& mask) const {
+  CheckFrame(frame, "frame " + FormatStamp(frame.stamp_ns));
+  if (!mask.empty() && (mask.type() != CV_8UC1 || mask.size() != frame.rgb.size())) {
+    throw std::invalid_argument("person mask is not 8UC1 of the frame's size");
+  }
+  if (camera && *camera != frame.camera) {
+    throw std::invalid_argument("the camera has changed; reset first");
+  }
+  if (last_stamp_ns && frame.stamp_ns <= *last_stamp_ns) {
+    throw std::invalid_argument("stamp " + FormatStamp(frame.stamp_ns) + " does not follow " +
+                                FormatStamp(*last_stamp_ns));
+  }
+}
+
+void Slam::State::Rectify(const RgbdFrame& frame, const cv::Mat& mask) {
+  const auto scope = clock.Measure("rectify");
+  if (!rectifier) rectifier.emplace(frame.camera);
+  rectified = rectifier->Rectify(frame);
+  rectified_mask = mask.empty() ? cv::Mat() : rectifier->RectifyMask(mask);
+}
+
+void Slam::State::Prepare() {
+  const auto scope = clock.Measure("prepare");
+  builder->Build(rectified, rectified_mask, parallel, pyramid);
+}
+
+TrackingResult Slam::State::Track() {
+  const auto scope = clock.Measure("track");
+  if (map->NumSurfels() == 0) return tracker->Start(pyramid, LevelCamera());
+  return tracker->Track(pyramid, view, parallel);
+}
+
+double Slam::State::MotionWeight() const {
+  const Vector6d motion = LogSE3(view.T_map_camera.inverse() * tracker->T_map_camera());
+  const double speed = std::max(motion.head<3>().norm(), motion.tail<3>().norm());
+  return std::max(1 - std::min(speed, config.slow_motion_m) / config.slow_motion_m,
+                  config.min_motion_weight);
+}
+
+void Slam::State::FuseInto(const TrackingResult& tracking) {
+  const auto scope = clock.Measure("fuse");
+  const double weight = map->NumSurfels() == 0 ? 1 : MotionWeight();
+  fuser->Fuse(pyramid, tracking.T_map_camera, weight, parallel, *map);
+}
+
+void Slam::State::Predict() {
+  const auto scope = clock.Measure("predict");
+  const StampNs window = StampFromSeconds(config.fusion.time_window_s);
+  splatter->Render(*map, rectified.camera, tracker->T_map_camera(),
+                   map->FirstFrameSince(pyramid.stamp_ns - window), parallel, view);
+  BuildIntensityLevels(config.pyramid.num_levels, view);
+}
+
+Slam::Slam(const SlamConfig& config, int num_threads) {
+  CheckRanges("mapping", config);
+  state_ = std::make_unique<State>(config, num_threads);
+}
+
+Slam::~Slam() = default;
+
+FrameResult Slam::ProcessFrame(const RgbdFrame& frame, const cv::Mat& person_mask) {
+  State& s = *state_;
+  s.Check(frame, person_mask);
+  s.clock.Clear();
+  s.camera = frame.camera;
+  s.last_stamp_ns = frame.stamp_ns;
+  s.Rectify(frame, person_mask);
+  s.Prepare();
+  FrameResult result;
+  result.stamp_ns = frame.stamp_ns;
+  result.tracking = s.Track();
+  if (result.HasPose()) {
+    s.FuseInto(result.tracking);
+    s.Predict();
+    s.trajectory.push_back({frame.stamp_ns, result.tracking.T_map_camera});
+    result.fused = true;
+  }
+  result.stage_times = s.clock.times();
+  return result;
+}
+
+void Slam::Reset() { state_->Clear(); }
+
+const Trajectory& Slam::trajectory() const { return state_->trajectory; }
+
+SurfelCloud Slam::ExportMap(double min_confidence) const {
+  return state_->map->Export(static_cast<float>(min_confidence));
+}
+
+std::size_t Slam::NumSurfels() const { return state_->map->NumSurfels(); }
+
+cv::Mat Slam::ModelImage() const {
+  State& s = *state_;
+  if (!s.camera || s.trajectory.empty()) return cv::Mat();
+  return s.splatter->RenderColor(*s.map, s.rectified.camera, s.tracker->T_map_camera(), s.parallel);
+}
+
+const SlamConfig& Slam::config() const { return state_->config; }
+
+}  // namespace posefusion

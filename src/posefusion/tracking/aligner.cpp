@@ -1,0 +1,164 @@
+#include "posefusion/tracking/aligner.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace posefusion {
+namespace {
+
+constexpr int kSamplesPerBlock = 2048;
+/// Fewer rows do not fix six unknowns reliably.
+constexpr double kMinRows = 200;
+
+Matrix6d FullMatrix(const ResidualSums& sums) {
+  Matrix6d A;
+  int k = 0;
+  for (int row = 0; row < 6; ++row) {
+    for (int col = row; col < 6; ++col) A(row, col) = A(col, row) = sums.a[k++];
+  }
+  return A;
+}
+
+void SetPose(const Eigen::Isometry3d& T, ResidualInput& input) {
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) input.rotation[3 * r + c] = static_cast<float>(T(r, c));
+    input.translation[r] = static_cast<float>(T(r, 3));
+  }
+}
+
+void SetSamples(const Samples& samples, ResidualInput& input) {
+  input.x = samples.x.data();
+  input.y = samples.y.data();
+  input.z = samples.z.data();
+  input.nx = samples.nx.data();
+  input.ny = samples.ny.data();
+  input.nz = samples.nz.data();
+  input.intensity = samples.intensity.data();
+  input.inverse_sigma = samples.inverse_sigma.data();
+  input.begin = 0;
+  input.end = samples.size;
+}
+
+/// RMS of residuals under Student-t weights.
+double RobustScale(double weighted_squares, double rows) {
+  return rows > 0 ? std::sqrt(weighted_squares / rows) : 0;
+}
+
+}  // namespace
+
+Aligner::Aligner(const TrackingConfig& config, const DepthNoiseConfig& noise)
+    : config_(config), noise_(noise) {}
+
+Alignment Aligner::Align(const FramePyramid& frame, const ModelView& view,
+                         const Eigen::Isometry3d& T_guess, const ParallelRunner& parallel) {
+  Alignment alignment;
+  alignment.T_view_camera = T_guess;
+  Scales scales;
+  const int last = static_cast<int>(frame.levels.size()) - 1;
+  const int coarsest = std::min(config_.coarsest_level, last);
+  const int finest = std::min(config_.finest_level, coarsest);
+  for (int level = coarsest; level >= finest; --level) {
+    AlignLevel(frame, view, level, parallel, scales, alignment);
+    if (!alignment.solved) break;
+  }
+  alignment.T_view_camera = Orthonormalized(alignment.T_view_camera);
+  return alignment;
+}
+
+ResidualInput Aligner::MakeInput(const ModelView& view, int level) const {
+  ResidualInput in{};
+  in.model_depth_m = view.depth_m.data();
+  in.model_planes = view.planes.data();
+  in.width = view.camera.width;
+  in.height = view.camera.height;
+  in.fx = static_cast<float>(view.camera.fx);
+  in.fy = static_cast<float>(view.camera.fy);
+  in.cx = static_cast<float>(view.camera.cx);
+  in.cy = static_cast<float>(view.camera.cy);
+  const auto matching = std::min(static_cast<std::size_t>(level), view.intensity_levels.size() - 1);
+  const IntensityLevel& intensity = view.intensity_levels[matching];
+  in.model_intensity = intensity.pixels.data();
+  in.intensity_width = intensity.camera.width;
+  in.intensity_height = intensity.camera.height;
+  in.intensity_fx = static_cast<float>(intensity.camera.fx);
+  in.intensity_fy = static_cast<float>(intensity.camera.fy);
+  in.intensity_cx = static_cast<float>(intensity.camera.cx);
+  in.intensity_cy = static_cast<float>(intensity.camera.cy);
+  in.icp_distance_m = static_cast<float>(config_.icp_distance_m);
+  in.icp_cosine = static_cast<float>(std::cos(config_.icp_angle_rad));
+  in.icp_information = static_cast<float>(config_.icp_weight);
+  in.intensity_distance_m = static_cast<float>(config_.intensity_distance_m);
+  in.intensity_min_gradient2 =
+      static_cast<float>(config_.intensity_min_gradient * config_.intensity_min_gradient);
+  in.student_t_dof = static_cast<float>(config_.student_t_dof);
+  in.use_icp = config_.use_icp;
+  in.use_intensity = config_.use_intensity;
+  return in;
+}
+
+ResidualSums Aligner::Evaluate(const ResidualInput& input, const ParallelRunner& parallel) {
+  const int num_blocks = (input.end + kSamplesPerBlock - 1) / kSamplesPerBlock;
+  block_sums_.assign(static_cast<std::size_t>(num_blocks), ResidualSums());
+  parallel.ForEachBlock(num_blocks, [&](int block) {
+    ResidualInput part = input;
+    part.begin = block * kSamplesPerBlock;
+    part.end = std::min(part.begin + kSamplesPerBlock, input.end);
+    AccumulateResiduals(part, block_sums_[static_cast<std::size_t>(block)]);
+  });
+  ResidualSums total;
+  for (const ResidualSums& sums : block_sums_) total.Add(sums);
+  return total;
+}
+
+void Aligner::UpdateScales(const ResidualSums& sums, Scales& scales) const {
+  // Scale of a Student-t distribution by its fixed-point equation (Kerl et al. 2013, eq. 18).
+  scales.icp = std::max(0.3, RobustScale(sums.icp_weighted_squares, sums.icp_rows));
+  scales.intensity = std::max(config_.intensity_sigma_floor,
+                              RobustScale(sums.intensity_weighted_squares, sums.intensity_rows));
+  if (config_.estimate_brightness && sums.intensity_weights > 0) {
+    scales.brightness -= sums.intensity_weighted / sums.intensity_weights;
+  }
+}
+
+void Aligner::AlignLevel(const FramePyramid& frame, const ModelView& view, int level,
+                         const ParallelRunner& parallel, Scales& scales, Alignment& alignment) {
+  const bool finest = level == std::min(config_.finest_level, config_.coarsest_level);
+  const int stride = finest ? config_.finest_stride_px : config_.coarsest_stride_px;
+  const int iterations = finest ? config_.finest_iterations : config_.coarse_iterations;
+  CollectSamples(frame.levels[static_cast<std::size_t>(level)], stride, config_.icp_sigma_floor_m,
+                 noise_, parallel, samples_);
+  ResidualInput input =
+      MakeInput(view, level - (view.camera.width == frame.levels[0].camera.width ? 0 : 1));
+  SetSamples(samples_, input);
+  alignment.num_samples = samples_.size;
+  alignment.valid_ratio = static_cast<double>(samples_.size) / samples_.num_pixels;
+  for (int i = 0; i < iterations; ++i) {
+    SetPose(alignment.T_view_camera, input);
+    input.icp_inverse_scale = static_cast<float>(1 / scales.icp);
+    input.intensity_inverse_scale = static_cast<float>(1 / scales.intensity);
+    input.brightness = static_cast<float>(scales.brightness);
+    const ResidualSums sums = Evaluate(input, parallel);
+    alignment.num_icp_rows = static_cast<int>(sums.icp_rows);
+    alignment.num_intensity_rows = static_cast<int>(sums.intensity_rows);
+    alignment.num_rows_total += alignment.num_icp_rows + alignment.num_intensity_rows;
+    alignment.icp_scale = RobustScale(sums.icp_weighted_squares, sums.icp_rows);
+    alignment.icp_rms_m = RobustScale(sums.icp_weighted_squares_m2, sums.icp_rows);
+    alignment.intensity_rms = RobustScale(sums.intensity_weighted_squares, sums.intensity_rows);
+    alignment.information = FullMatrix(sums);
+    alignment.solved = false;
+    if (sums.icp_rows + sums.intensity_rows < kMinRows) return;
+    const Eigen::LDLT<Matrix6d> ldlt(alignment.information);
+    const Vector6d step = -ldlt.solve(Eigen::Map<const Vector6d>(sums.b));
+    if (ldlt.info() != Eigen::Success || !ldlt.isPositive() || !step.allFinite()) return;
+    alignment.solved = true;
+    alignment.T_view_camera = ExpSE3(step) * alignment.T_view_camera;
+    UpdateScales(sums, scales);
+    if (step.head<3>().norm() < config_.min_step_m &&
+        step.tail<3>().norm() < config_.min_step_rad) {
+      break;
+    }
+  }
+}
+
+}  // namespace posefusion

@@ -1,0 +1,112 @@
+#include "posefusion/tracking/tracker.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "posefusion/tracking/so3_alignment.h"
+
+namespace posefusion {
+
+const char* ToString(TrackingHealth health) {
+  switch (health) {
+    case TrackingHealth::kInitialized:
+      return "initialized";
+    case TrackingHealth::kGood:
+      return "good";
+    case TrackingHealth::kWeak:
+      return "weak";
+    case TrackingHealth::kFailed:
+      return "failed";
+  }
+  return "unknown";
+}
+
+Tracker::Tracker(const TrackingConfig& config, const DepthNoiseConfig& noise)
+    : config_(config), aligner_(config, noise) {}
+
+TrackingResult Tracker::Start(const FramePyramid& frame, const Eigen::Isometry3d& T_map_camera) {
+  T_map_camera_ = T_map_camera;
+  T_last_step_.setIdentity();
+  Remember(frame);
+  TrackingResult result;
+  result.T_map_camera = T_map_camera;
+  result.health = TrackingHealth::kInitialized;
+  return result;
+}
+
+TrackingResult Tracker::Track(const FramePyramid& frame, const ModelView& view,
+                              const ParallelRunner& parallel) {
+  const Eigen::Isometry3d T_view_last = view.T_map_camera.inverse() * T_map_camera_;
+  const Alignment alignment = aligner_.Align(frame, view, T_view_last * Guess(frame), parallel);
+  const TrackingResult result = Judge(alignment, view);
+  if (result.health != TrackingHealth::kFailed) {
+    T_last_step_ = T_map_camera_.inverse() * result.T_map_camera;
+    T_map_camera_ = result.T_map_camera;
+    Remember(frame);
+  }
+  return result;
+}
+
+std::size_t Tracker::So3Level(const FramePyramid& frame) const {
+  return std::min(static_cast<std::size_t>(config_.so3.level), frame.levels.size() - 1);
+}
+
+void Tracker::Remember(const FramePyramid& frame) {
+  previous_intensity_ = frame.levels[So3Level(frame)].intensity;
+}
+
+/// T_last_current: the camera's motion since the last good frame.
+Eigen::Isometry3d Tracker::Guess(const FramePyramid& frame) const {
+  Eigen::Isometry3d T_guess = Eigen::Isometry3d::Identity();
+  if (!config_.so3.enabled) return T_last_step_;
+  const PyramidLevel& level = frame.levels[So3Level(frame)];
+  T_guess.linear() = AlignRotation(previous_intensity_, level.intensity, level.camera, config_.so3);
+  return T_guess;
+}
+
+TrackingResult Tracker::Judge(const Alignment& alignment, const ModelView& view) const {
+  TrackingResult result;
+  result.T_map_camera = view.T_map_camera * alignment.T_view_camera;
+  result.valid_ratio = alignment.valid_ratio;
+  result.icp_rms_m = alignment.icp_rms_m;
+  result.intensity_rms = alignment.intensity_rms;
+  result.num_icp_rows = alignment.num_icp_rows;
+  result.num_intensity_rows = alignment.num_intensity_rows;
+  result.num_rows_total = alignment.num_rows_total;
+  const int rows = config_.use_icp ? alignment.num_icp_rows : alignment.num_intensity_rows;
+  if (alignment.num_samples > 0) {
+    result.inlier_ratio = static_cast<double>(rows) / alignment.num_samples;
+  }
+  const Eigen::Isometry3d T_step = T_map_camera_.inverse() * result.T_map_camera;
+  if (alignment.valid_ratio < config_.min_valid_ratio) {
+    result.failure = "too little depth";
+  } else if (!alignment.solved) {
+    result.failure = "too few correspondences";
+  } else if (result.inlier_ratio < config_.min_inlier_ratio) {
+    result.failure = "too few inliers";
+  } else if (alignment.icp_scale > config_.max_icp_rms_sigmas) {
+    result.failure = "residuals too large";
+  } else if (T_step.translation().norm() > config_.max_translation_m ||
+             LogSO3(T_step.linear()).norm() > config_.max_rotation_rad) {
+    result.failure = "implausible jump";
+  }
+  if (result.failure[0] != '\0') return result;
+
+  // The perturbation of the alignment acts at the view's origin in its axes; reported is the same
+  // at the camera's centre in the map's axes.
+  Eigen::Isometry3d T_here_view = Eigen::Isometry3d::Identity();
+  T_here_view.linear() = view.T_map_camera.linear();
+  T_here_view.translation() = -(view.T_map_camera.linear() * alignment.T_view_camera.translation());
+  const Matrix6d adjoint = AdjointSE3(T_here_view);
+  const Matrix6d covariance_view = config_.covariance_scale * alignment.information.inverse();
+  result.covariance = adjoint * covariance_view * adjoint.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
+      result.covariance.topLeftCorner<3, 3>(), Eigen::EigenvaluesOnly);
+  const double worst = std::sqrt(std::max(0.0, eigen.eigenvalues().maxCoeff()));
+  result.health = worst > config_.weak_sigma_m ? TrackingHealth::kWeak : TrackingHealth::kGood;
+  return result;
+}
+
+}  // namespace posefusion

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+
+#include "posefusion/common/parallel.h"
+#include "posefusion/tracking/aligner.h"
+#include "posefusion/tracking/tracking_result.h"
+
+namespace posefusion {
+
+/// Follows the camera from frame to frame against predicted views of the map.
+/// Not thread-safe.
+class Tracker {
+ public:
+  Tracker(const TrackingConfig& config, const DepthNoiseConfig& noise);
+
+  /// The first frame: remembers its image, calls the pose good.
+  TrackingResult Start(const FramePyramid& frame, const Eigen::Isometry3d& T_map_camera);
+
+  /// Aligns a frame to the view predicted from the last good pose. A failed result leaves the last
+  /// good pose in force, so that the next call tries again from there.
+  TrackingResult Track(const FramePyramid& frame, const ModelView& view,
+                       const ParallelRunner& parallel);
+
+  /// Last pose that was not failed.
+  const Eigen::Isometry3d& T_map_camera() const { return T_map_camera_; }
+
+ private:
+  Eigen::Isometry3d Guess(const FramePyramid& frame) const;
+  TrackingResult Judge(const Alignment& alignment, const ModelView& view) const;
+  void Remember(const FramePyramid& frame);
+  std::size_t So3Level(const FramePyramid& frame) const;
+
+  TrackingConfig config_;
+  Aligner aligner_;
+  Eigen::Isometry3d T_map_camera_ = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d T_last_step_ = Eigen::Isometry3d::Identity();  ///< camera motion, last frame
+  Grid<float> previous_intensity_;
+};
+
+}  // namespace posefusion
