@@ -42,5 +42,5 @@ function(posefusion_tests name)
     <gtest/gtest.h> <Eigen/Geometry> <string> <vector>)
   gtest_discover_tests(${name}_test
     DISCOVERY_TIMEOUT 60
-    PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}" ENVIRONMENT RC_PARAMS=seed=42)
+    PROPERTIES TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT RC_PARAMS=seed=42 LABELS "${ARG_LABELS}")
 endfunction()

@@ -16,4 +16,10 @@ struct StampedPose {
 /// Poses in order of increasing stamps.
 using Trajectory = std::vector<StampedPose>;
 
+/// The poses without those that another with the same stamp follows.
+Trajectory LastOfEachStamp(const Trajectory& trajectory);
+
+/// Stamps of the poses, in their order.
+std::vector<StampNs> StampsOf(const Trajectory& trajectory);
+
 }  // namespace posefusion

@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
-#include <utility>
 
 #include "posefusion/common/atomic_file.h"
 #include "posefusion/dataset/text_lines.h"
@@ -56,19 +55,6 @@ StampedPose ParsePose(const TextLine& line, const std::string& name) {
   return pose;
 }
 
-/// Sorts by stamp and keeps the last of several poses with one stamp.
-Trajectory InOrder(Trajectory poses) {
-  std::stable_sort(poses.begin(), poses.end(), [](const StampedPose& a, const StampedPose& b) {
-    return a.stamp_ns < b.stamp_ns;
-  });
-  Trajectory trajectory;
-  for (const StampedPose& pose : poses) {
-    if (!trajectory.empty() && trajectory.back().stamp_ns == pose.stamp_ns) trajectory.pop_back();
-    trajectory.push_back(pose);
-  }
-  return trajectory;
-}
-
 }  // namespace
 
 void WriteTrajectory(const Trajectory& trajectory, const std::string& path) {
@@ -83,7 +69,10 @@ Trajectory ReadTrajectory(const std::string& path) {
     trajectory.push_back(ParsePose(line, LineName(path, line)));
   }
   if (trajectory.empty()) throw std::runtime_error(path + ": holds no poses");
-  return InOrder(std::move(trajectory));
+  std::stable_sort(
+      trajectory.begin(), trajectory.end(),
+      [](const StampedPose& a, const StampedPose& b) { return a.stamp_ns < b.stamp_ns; });
+  return trajectory;
 }
 
 }  // namespace posefusion

@@ -14,8 +14,8 @@ namespace posefusion {
 /// written.
 void WriteTrajectory(const Trajectory& trajectory, const std::string& path);
 
-/// Reads a trajectory and sorts it by stamp. Quaternions are normalised; of several poses with one
-/// stamp the last counts, as in the TUM scripts (files of the benchmark hold such).
+/// Reads a trajectory and sorts it by stamp. Quaternions are normalised. Poses with equal stamps
+/// are all kept, in the order of the file (see LastOfEachStamp): published files do hold such.
 /// @throws std::runtime_error naming file and line for anything but eight finite numbers and for a
 /// zero quaternion; and for a file that cannot be read or has no poses.
 Trajectory ReadTrajectory(const std::string& path);
