@@ -29,9 +29,9 @@ void CheckRange(const std::string& key, Number value, Number min, Number max) {
 }  // namespace
 
 ConfigReader::ConfigReader(YAML::Node node, std::string prefix)
-    : node_(std::move(node)), prefix_(std::move(prefix)) {
-  const bool empty = !node_.IsDefined() || node_.IsNull();
-  if (!empty && !node_.IsMap()) {
+    : node_(node.IsDefined() ? std::move(node) : YAML::Node(YAML::NodeType::Null)),
+      prefix_(std::move(prefix)) {
+  if (!node_.IsNull() && !node_.IsMap()) {
     throw std::invalid_argument(prefix_ + ": expected a map of keys, got '" + YAML::Dump(node_) +
                                 "'");
   }
