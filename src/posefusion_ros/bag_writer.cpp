@@ -1,48 +1,14 @@
 #include "posefusion_ros/bag_writer.h"
 
 #include <rosbag/bag.h>
-#include <sensor_msgs/distortion_models.h>
-#include <sensor_msgs/image_encodings.h>
 
 #include <filesystem>
-#include <limits>
 #include <stdexcept>
 
 #include "posefusion_ros/conversions.h"
 #include "posefusion_ros/topic_names.h"
 
 namespace posefusion {
-namespace {
-
-sensor_msgs::Image DepthMessage(const cv::Mat& depth_m, const std_msgs::Header& header) {
-  sensor_msgs::Image image;
-  image.header = header;
-  image.width = static_cast<std::uint32_t>(depth_m.cols);
-  image.height = static_cast<std::uint32_t>(depth_m.rows);
-  image.encoding = sensor_msgs::image_encodings::TYPE_32FC1;
-  image.step = image.width * static_cast<std::uint32_t>(sizeof(float));
-  image.data.resize(static_cast<std::size_t>(image.step) * image.height);
-  cv::Mat pixels(depth_m.rows, depth_m.cols, CV_32FC1, image.data.data());
-  depth_m.copyTo(pixels);
-  pixels.setTo(std::numeric_limits<float>::quiet_NaN(), depth_m == 0);
-  return image;
-}
-
-sensor_msgs::CameraInfo InfoMessage(const CameraModel& camera, const std_msgs::Header& header) {
-  sensor_msgs::CameraInfo info;
-  info.header = header;
-  info.width = static_cast<std::uint32_t>(camera.width);
-  info.height = static_cast<std::uint32_t>(camera.height);
-  info.distortion_model = sensor_msgs::distortion_models::PLUMB_BOB;
-  info.D.assign(camera.distortion.begin(), camera.distortion.end());
-  info.K = {camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1};
-  info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  info.P = {camera.fx, 0, camera.cx, 0, 0, camera.fy, camera.cy, 0, 0, 0, 1, 0};
-  return info;
-}
-
-}  // namespace
-
 struct BagWriter::State {
   std::string path;
   std::string temporary_path;
@@ -87,9 +53,9 @@ void BagWriter::Write(const RgbdFrame& frame) {
     const auto write = [&](const char* topic, const auto& message) {
       state_->bag.write(std::string("/") + topic, message.header.stamp, message);
     };
-    write(kCameraDepthTopic, DepthMessage(frame.depth_m, header));
+    write(kCameraDepthTopic, *ToDepthMessage(frame.depth_m, header));
     header.stamp = ToRosTime(frame.stamp_ns);
-    write(kCameraInfoTopic, InfoMessage(frame.camera, header));
+    write(kCameraInfoTopic, ToCameraInfo(frame.camera, header));
     write(kCameraRgbTopic, *ToRgb8Message(frame.rgb, header));
   });
 }

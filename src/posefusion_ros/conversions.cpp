@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <boost/make_shared.hpp>
-#include <cstring>
+#include <limits>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
@@ -41,6 +41,19 @@ std::array<double, 5> PlumbBobDistortion(const sensor_msgs::CameraInfo& info,
   }
   std::copy(info.D.begin(), info.D.end(), distortion.begin());
   return distortion;
+}
+
+/// A message with room for the pixels.
+sensor_msgs::ImagePtr MakeImage(const cv::Mat& pixels, const std::string& encoding,
+                                const std_msgs::Header& header) {
+  auto image = boost::make_shared<sensor_msgs::Image>();
+  image->header = header;
+  image->width = static_cast<std::uint32_t>(pixels.cols);
+  image->height = static_cast<std::uint32_t>(pixels.rows);
+  image->encoding = encoding;
+  image->step = image->width * static_cast<std::uint32_t>(pixels.elemSize());
+  image->data.resize(static_cast<std::size_t>(image->step) * image->height);
+  return image;
 }
 
 }  // namespace
@@ -105,15 +118,30 @@ cv::Mat ToDepthM(const sensor_msgs::ImageConstPtr& image, const std::string& top
 }
 
 sensor_msgs::ImagePtr ToRgb8Message(const cv::Mat& rgb, const std_msgs::Header& header) {
-  auto image = boost::make_shared<sensor_msgs::Image>();
-  image->header = header;
-  image->width = static_cast<std::uint32_t>(rgb.cols);
-  image->height = static_cast<std::uint32_t>(rgb.rows);
-  image->encoding = encodings::RGB8;
-  image->step = image->width * 3;
-  image->data.resize(static_cast<std::size_t>(image->step) * image->height);
+  const auto image = MakeImage(rgb, encodings::RGB8, header);
   rgb.copyTo(cv::Mat(rgb.rows, rgb.cols, CV_8UC3, image->data.data()));
   return image;
+}
+
+sensor_msgs::ImagePtr ToDepthMessage(const cv::Mat& depth_m, const std_msgs::Header& header) {
+  const auto image = MakeImage(depth_m, encodings::TYPE_32FC1, header);
+  cv::Mat pixels(depth_m.rows, depth_m.cols, CV_32FC1, image->data.data());
+  depth_m.copyTo(pixels);
+  pixels.setTo(std::numeric_limits<float>::quiet_NaN(), depth_m == 0);
+  return image;
+}
+
+sensor_msgs::CameraInfo ToCameraInfo(const CameraModel& camera, const std_msgs::Header& header) {
+  sensor_msgs::CameraInfo info;
+  info.header = header;
+  info.width = static_cast<std::uint32_t>(camera.width);
+  info.height = static_cast<std::uint32_t>(camera.height);
+  info.distortion_model = sensor_msgs::distortion_models::PLUMB_BOB;
+  info.D.assign(camera.distortion.begin(), camera.distortion.end());
+  info.K = {camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1};
+  info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  info.P = {camera.fx, 0, camera.cx, 0, 0, camera.fy, camera.cy, 0, 0, 0, 1, 0};
+  return info;
 }
 
 geometry_msgs::Pose ToPoseMessage(const Eigen::Isometry3d& T) {

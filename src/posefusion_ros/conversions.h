@@ -42,6 +42,12 @@ cv::Mat ToDepthM(const sensor_msgs::ImageConstPtr& image, const std::string& top
 /// rgb8 image of R G B pixels.
 sensor_msgs::ImagePtr ToRgb8Message(const cv::Mat& rgb, const std_msgs::Header& header);
 
+/// 32FC1 image in metres, NaN = none.
+sensor_msgs::ImagePtr ToDepthMessage(const cv::Mat& depth_m, const std_msgs::Header& header);
+
+/// Camera with its distortion; R is the identity and P the same camera without distortion.
+sensor_msgs::CameraInfo ToCameraInfo(const CameraModel& camera, const std_msgs::Header& header);
+
 geometry_msgs::Pose ToPoseMessage(const Eigen::Isometry3d& T);
 
 geometry_msgs::TransformStamped ToTransformMessage(const Eigen::Isometry3d& T_parent_child,

@@ -139,12 +139,12 @@ TEST(BagSource, TellsOnceThatStampsGoBack) {
     const ros::Time recorded = ToRosTime(1'000'000'000LL * (100 + i));
     sensor_msgs::CameraInfo info;
     info.header = header;
-    info.width = 160;
-    info.height = 120;
-    info.K = {130, 0, 79.5, 0, 130, 59.5, 0, 0, 1};
+    info.width = 320;
+    info.height = 240;
+    info.K = {260, 0, 159.5, 0, 260, 119.5, 0, 0, 1};
     sensor_msgs::Image depth = *ToRgb8Message(frame.rgb, header);
     depth.encoding = "16UC1";
-    depth.step = 320;
+    depth.step = 640;
     bag.write("/camera/rgb/camera_info", recorded, info);
     bag.write("/camera/rgb/image_rect_color", recorded, *ToRgb8Message(frame.rgb, header));
     bag.write("/camera/depth_registered/image_rect", recorded, depth);

@@ -11,11 +11,11 @@ constexpr StampNs kDepthLagNs = 10'000'000;
 
 CameraModel SmallCamera() {
   CameraModel camera;
-  camera.width = 160;
-  camera.height = 120;
-  camera.fx = camera.fy = 130;
-  camera.cx = 79.5;
-  camera.cy = 59.5;
+  camera.width = 320;
+  camera.height = 240;
+  camera.fx = camera.fy = 260;
+  camera.cx = 159.5;
+  camera.cy = 119.5;
   return camera;
 }
 

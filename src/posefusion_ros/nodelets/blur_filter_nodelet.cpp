@@ -1,12 +1,17 @@
 #include <nodelet/nodelet.h>
-#include <std_msgs/Float64.h>
+#include <posefusion/BlurScore.h>
 
 #include <memory>
+#include <optional>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "posefusion/image/blur_filter.h"
+#include "posefusion_ros/conversions.h"
+#include "posefusion_ros/nodelets/blur_filter_config.h"
 #include "posefusion_ros/nodelets/rgbd_subscriber.h"
 #include "posefusion_ros/parameter_reader.h"
 #include "posefusion_ros/topic_names.h"
+#include "posefusion_ros/trouble_log.h"
 
 namespace posefusion {
 
@@ -26,27 +31,67 @@ class BlurFilterNodelet : public nodelet::Nodelet {
 
   void Start() {
     ros::NodeHandle node = getNodeHandle();
-    constexpr int kQueueSize = 10;
-    rgb_ = node.advertise<sensor_msgs::Image>(kSharpRgbTopic, kQueueSize);
-    depth_ = node.advertise<sensor_msgs::Image>(kSharpDepthTopic, kQueueSize);
-    info_ = node.advertise<sensor_msgs::CameraInfo>(kSharpInfoTopic, kQueueSize);
-    score_ = node.advertise<std_msgs::Float64>(kBlurScoreTopic, kQueueSize);
+    config_ = ReadConfig<BlurFilterNodeletConfig>(getPrivateNodeHandle());
+    filter_.emplace(config_.filter);
+    const auto queue_size = static_cast<std::uint32_t>(
+        config_.ros.input.lossless ? 0 : config_.ros.input.subscriber_queue_size);
+    rgb_ = node.advertise<sensor_msgs::Image>(kSharpRgbTopic, queue_size);
+    depth_ = node.advertise<sensor_msgs::Image>(kSharpDepthTopic, queue_size);
+    info_ = node.advertise<sensor_msgs::CameraInfo>(kSharpInfoTopic, queue_size);
+    score_ = node.advertise<BlurScore>(kBlurScoreTopic, queue_size);
     subscriber_ = std::make_unique<RgbdSubscriber>(
-        node, RgbdTopics{kCameraRgbTopic, kCameraDepthTopic, kCameraInfoTopic}, InputConfig(),
-        false, [this](const RgbdMessages& frame) { OnFrame(frame); });
+        node, RgbdTopics{kCameraRgbTopic, kCameraDepthTopic, kCameraInfoTopic}, config_.ros.input,
+        config_.ros.input_is_paired, [this](const RgbdMessages& frame) { OnFrame(frame); });
+    NODELET_INFO_STREAM("filter " << (config_.filter.enabled ? "on" : "off") << ", waiting for "
+                                  << subscriber_->topics().rgb << ", "
+                                  << subscriber_->topics().depth << ", "
+                                  << subscriber_->topics().info);
   }
 
   void OnFrame(const RgbdMessages& frame) {
+    try {
+      if (config_.filter.enabled &&
+          !IsSharp(*frame.rgb, ToRgb(frame.rgb, subscriber_->topics().rgb)))
+        return;
+      Pass(frame);
+      trouble_.AllWell();
+    } catch (const std::exception& error) {
+      trouble_.Report(error.what(), SteadyNowS());
+    }
+  }
+
+  bool IsSharp(const sensor_msgs::Image& message, const cv::Mat& rgb) {
+    if (message.header.stamp < last_stamp_) filter_.emplace(config_.filter);  // a bag restarted
+    last_stamp_ = message.header.stamp;
+    const BlurDecision decision = filter_->Judge(rgb);
+    BlurScore score;
+    score.header = message.header;
+    score.score = decision.score;
+    score.threshold = decision.threshold;
+    score.kept = static_cast<std::uint8_t>(decision.keep);
+    score.reason = ToString(decision.reason);
+    score.frames_seen = static_cast<std::uint64_t>(filter_->counts().seen);
+    score.frames_dropped = static_cast<std::uint64_t>(filter_->counts().dropped);
+    score_.publish(score);
+    return decision.keep;
+  }
+
+  void Pass(const RgbdMessages& frame) {
     if (frame.info) info_.publish(frame.info);
     depth_.publish(frame.depth);
     rgb_.publish(frame.rgb);
   }
 
+  BlurFilterNodeletConfig config_;
+  std::optional<BlurFilter> filter_;
+  ros::Time last_stamp_;
+  TroubleLog trouble_{5, [this](const std::string& text) { NODELET_ERROR_STREAM(text); },
+                      [this](const std::string& text) { NODELET_INFO_STREAM(text); }};
   ros::Publisher rgb_;
   ros::Publisher depth_;
   ros::Publisher info_;
   ros::Publisher score_;
-  std::unique_ptr<RgbdSubscriber> subscriber_;
+  std::unique_ptr<RgbdSubscriber> subscriber_;  // last: no frame comes while the rest ends
 };
 
 }  // namespace posefusion

@@ -42,7 +42,7 @@ std::optional<Status> MappingStatus::OfIdle(const MappingWorker& worker) {
   last_s_ = now_s;
   FillCounts(worker);
   if (status_.frames_processed > 0) status_.state = "no_data";
-  status_.detail = worker.trouble();
+  if (!worker.trouble().empty()) status_.detail = worker.trouble();
   return status_;
 }
 
