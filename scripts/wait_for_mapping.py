@@ -9,7 +9,7 @@ import time
 
 import rospy
 
-from posefusion.msg import Status
+from posefusion.msg import BlurScore, Status
 
 PERIOD_S = 0.2
 
@@ -23,12 +23,17 @@ class Waiter:
         self.start = time.monotonic()
         self.last_change = self.start
         self.status = None
+        self.blurred = 0
         rospy.Subscriber("status", Status, self.on_status)
+        rospy.Subscriber("blur_score", BlurScore, self.on_blur_score)
 
     def on_status(self, status):
         if self.status is None or status.frames_processed != self.status.frames_processed:
             self.last_change = time.monotonic()
         self.status = status
+
+    def on_blur_score(self, score):
+        self.blurred = score.frames_dropped
 
     def started(self):
         return self.status is not None and self.status.frames_processed > 0
@@ -44,10 +49,11 @@ class Waiter:
                 return 1
             time.sleep(PERIOD_S)
         if self.started():
-            print("frames: %d processed, %d tracked, %d lost, %d dropped, %d refused" % (
-                self.status.frames_processed, self.status.frames_tracked,
-                self.status.frames_lost, self.status.frames_dropped,
-                self.status.frames_refused), flush=True)
+            print("frames: %d left out as blurred, %d processed, %d tracked, %d lost, %d dropped, "
+                  "%d refused" % (
+                      self.blurred, self.status.frames_processed, self.status.frames_tracked,
+                      self.status.frames_lost, self.status.frames_dropped,
+                      self.status.frames_refused), flush=True)
         return 0
 
 
