@@ -3,13 +3,14 @@
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <posefusion/BlurScore.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
-#include <atomic>
 #include <boost/make_shared.hpp>
 #include <mutex>
+#include <opencv2/imgproc.hpp>
 #include <vector>
 
 #include "posefusion/common/atomic_file.h"
@@ -72,6 +73,14 @@ RgbdMessages PairedMessages(int index, StampNs start_ns = kStart) {
   return messages;
 }
 
+sensor_msgs::ImagePtr Blurred(const sensor_msgs::Image& image) {
+  const auto copy = boost::make_shared<sensor_msgs::Image>(image);
+  cv::Mat pixels(static_cast<int>(copy->height), static_cast<int>(copy->width), CV_8UC3,
+                 copy->data.data());
+  cv::blur(pixels, pixels, cv::Size(31, 1));
+  return copy;
+}
+
 /// The trajectory file that the core makes of a bag without any nodelet.
 std::string DirectTrajectory(const std::string& bag, const TemporaryFolder& folder) {
   BagSource source(bag);
@@ -117,6 +126,24 @@ TEST(NodeletGraph, MappingGetsTheVerySameMessages) {
     EXPECT_EQ(depth.messages()[i].get(), sent[i].depth.get());
     EXPECT_EQ(info.messages()[i].get(), sent[i].info.get());
   }
+}
+
+TEST(NodeletGraph, BlurredFramesStayOut) {
+  NodeletGraph graph;
+  ASSERT_TRUE(graph.Start());
+  const Recorder<sensor_msgs::Image> rgb(kSharpRgbTopic);
+  const Recorder<BlurScore> score(kBlurScoreTopic);
+  constexpr std::size_t kBlurred = 7;
+  for (std::size_t i = 0; i < 10; ++i) {
+    RgbdMessages frame = PairedMessages(static_cast<int>(i));
+    if (i == kBlurred) frame.rgb = Blurred(*frame.rgb);
+    graph.Publish(frame);
+  }
+  ASSERT_TRUE(score.WaitForSize(10) && rgb.WaitForSize(9));
+  EXPECT_EQ(score.messages()[kBlurred]->kept, 0);
+  EXPECT_EQ(score.messages()[kBlurred]->reason, "blurred");
+  EXPECT_EQ(score.messages()[9]->frames_dropped, 1U);
+  EXPECT_EQ(rgb.size(), 9U);
 }
 
 TEST(NodeletGraph, FedSlowlyGivesTheTrajectoryOfTheCore) {

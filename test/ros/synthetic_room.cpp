@@ -19,10 +19,13 @@ CameraModel SmallCamera() {
   return camera;
 }
 
-/// Grey value of a wall point: several wave lengths, so that every level has gradients.
+/// Grey value of a wall point: several wave lengths, so that every level has gradients, and tiles
+/// with sharp edges.
 double Texture(const Eigen::Vector3d& p) {
+  const bool tile =
+      std::sin(30 * p.x() + 1) * std::sin(30 * p.y() + 1) * std::sin(30 * p.z() + 1) > 0;
   return 128 + 45 * std::sin(9 * p.x() + 3 * p.z()) * std::cos(8 * p.y()) +
-         35 * std::sin(23 * p.y() + 17 * p.x() - 11 * p.z());
+         25 * std::sin(23 * p.y() + 17 * p.x() - 11 * p.z()) + (tile ? 25 : -25);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
+#include <string>
 
 #include "posefusion/image/blur_filter.h"
 #include "posefusion_ros/conversions.h"
@@ -39,6 +40,7 @@ class BlurFilterNodelet : public nodelet::Nodelet {
     depth_ = node.advertise<sensor_msgs::Image>(kSharpDepthTopic, queue_size);
     info_ = node.advertise<sensor_msgs::CameraInfo>(kSharpInfoTopic, queue_size);
     score_ = node.advertise<BlurScore>(kBlurScoreTopic, queue_size);
+    rgb_topic_ = node.resolveName(kCameraRgbTopic);
     subscriber_ = std::make_unique<RgbdSubscriber>(
         node, RgbdTopics{kCameraRgbTopic, kCameraDepthTopic, kCameraInfoTopic}, config_.ros.input,
         config_.ros.input_is_paired, [this](const RgbdMessages& frame) { OnFrame(frame); });
@@ -50,11 +52,10 @@ class BlurFilterNodelet : public nodelet::Nodelet {
 
   void OnFrame(const RgbdMessages& frame) {
     try {
-      if (config_.filter.enabled &&
-          !IsSharp(*frame.rgb, ToRgb(frame.rgb, subscriber_->topics().rgb)))
-        return;
-      Pass(frame);
+      const bool sharp =
+          !config_.filter.enabled || IsSharp(*frame.rgb, ToRgb(frame.rgb, rgb_topic_));
       trouble_.AllWell();
+      if (sharp) Pass(frame);
     } catch (const std::exception& error) {
       trouble_.Report(error.what(), SteadyNowS());
     }
@@ -85,6 +86,7 @@ class BlurFilterNodelet : public nodelet::Nodelet {
   BlurFilterNodeletConfig config_;
   std::optional<BlurFilter> filter_;
   ros::Time last_stamp_;
+  std::string rgb_topic_;  ///< resolved
   TroubleLog trouble_{5, [this](const std::string& text) { NODELET_ERROR_STREAM(text); },
                       [this](const std::string& text) { NODELET_INFO_STREAM(text); }};
   ros::Publisher rgb_;

@@ -49,13 +49,13 @@ class MappingNodelet : public nodelet::Nodelet {
   MappingWorker::Callbacks MakeCallbacks() {
     MappingWorker::Callbacks callbacks;
     callbacks.frame = [this](const Slam& slam, const FrameResult& result,
-                             const std_msgs::Header& rgb_header) {
+                             const std_msgs::Header& rgb_header, const MappingCounts& counts) {
       publishers_->PublishFrame(slam, result, rgb_header);
-      publishers_->PublishStatus(status_->OfFrame(result, rgb_header, slam, *worker_));
+      publishers_->PublishStatus(status_->OfFrame(result, rgb_header, slam, counts));
     };
-    callbacks.idle = [this](const Slam& slam) {
+    callbacks.idle = [this](const Slam& slam, const MappingCounts& counts) {
       publishers_->PublishIdle(slam);
-      if (const auto status = status_->OfIdle(*worker_)) publishers_->PublishStatus(*status);
+      if (const auto status = status_->OfIdle(counts)) publishers_->PublishStatus(*status);
     };
     callbacks.reset = [this] { publishers_->Reset(); };
     callbacks.finish = [this](const Slam& slam) {

@@ -12,7 +12,7 @@ constexpr double kIdlePeriodS = 1;
 MappingStatus::MappingStatus() : last_s_(SteadyNowS()) { status_.state = "waiting"; }
 
 Status MappingStatus::OfFrame(const FrameResult& result, const std_msgs::Header& rgb_header,
-                              const Slam& slam, const MappingWorker& worker) {
+                              const Slam& slam, const MappingCounts& counts) {
   const TrackingResult& tracking = result.tracking;
   status_.header.stamp = rgb_header.stamp;
   status_.header.frame_id = rgb_header.frame_id;
@@ -31,30 +31,29 @@ Status MappingStatus::OfFrame(const FrameResult& result, const std_msgs::Header&
     status_.stage_names.emplace_back(time.stage);
     status_.stage_ms.push_back(time.milliseconds);
   }
-  FillCounts(worker);
+  FillCounts(counts);
   last_s_ = SteadyNowS();
   return status_;
 }
 
-std::optional<Status> MappingStatus::OfIdle(const MappingWorker& worker) {
+std::optional<Status> MappingStatus::OfIdle(const MappingCounts& counts) {
   const double now_s = SteadyNowS();
   if (now_s - last_s_ < kIdlePeriodS) return std::nullopt;
   last_s_ = now_s;
-  FillCounts(worker);
+  FillCounts(counts);
   if (status_.frames_processed > 0) status_.state = "no_data";
-  if (!worker.trouble().empty()) status_.detail = worker.trouble();
+  if (!counts.trouble.empty()) status_.detail = counts.trouble;
   return status_;
 }
 
-void MappingStatus::FillCounts(const MappingWorker& worker) {
-  const MappingCounts& counts = worker.counts();
+void MappingStatus::FillCounts(const MappingCounts& counts) {
   status_.frames_processed = counts.processed;
   status_.frames_tracked = counts.tracked;
   status_.frames_lost = counts.processed - counts.tracked;
   status_.frames_refused = counts.refused;
-  status_.frames_dropped = worker.num_dropped();
+  status_.frames_dropped = counts.dropped;
   status_.resets = counts.resets;
-  status_.queue_length = static_cast<std::uint32_t>(worker.queue_length());
+  status_.queue_length = static_cast<std::uint32_t>(counts.queue_length);
 }
 
 }  // namespace posefusion

@@ -15,13 +15,13 @@ class MappingStatus {
   MappingStatus();
 
   Status OfFrame(const FrameResult& result, const std_msgs::Header& rgb_header, const Slam& slam,
-                 const MappingWorker& worker);
+                 const MappingCounts& counts);
 
   /// Once a second while no frames come (and once when they stop coming).
-  std::optional<Status> OfIdle(const MappingWorker& worker);
+  std::optional<Status> OfIdle(const MappingCounts& counts);
 
  private:
-  void FillCounts(const MappingWorker& worker);
+  void FillCounts(const MappingCounts& counts);
 
   Status status_;
   double last_s_;

@@ -37,7 +37,7 @@ void MappingWorker::Run() {
     const auto messages = queue_.PopFor(kIdlePeriod);
     bool worked = false;
     Guarded([&] { worked = messages && Work(*messages); });
-    if (!worked) Guarded([&] { callbacks_.idle(slam_); });
+    if (!worked) Guarded([&] { callbacks_.idle(slam_, CurrentCounts()); });
   }
   Guarded([&] { callbacks_.finish(slam_); });
 }
@@ -64,7 +64,7 @@ bool MappingWorker::Work(const RgbdMessages& messages) {
   ++counts_.processed;
   if (result.HasPose()) ++counts_.tracked;
   trouble_.AllWell();
-  callbacks_.frame(slam_, result, messages.rgb->header);
+  callbacks_.frame(slam_, result, messages.rgb->header, CurrentCounts());
   return true;
 }
 
@@ -84,6 +84,14 @@ bool MappingWorker::IsInOrder(StampNs stamp_ns) {
   last_stamp_ns_ = -1;
   callbacks_.reset();
   return true;
+}
+
+MappingCounts MappingWorker::CurrentCounts() const {
+  MappingCounts counts = counts_;
+  counts.dropped = queue_.num_dropped();
+  counts.queue_length = queue_.size();
+  counts.trouble = trouble_.trouble();
+  return counts;
 }
 
 void MappingWorker::Refuse(const std::string& text) {

@@ -12,12 +12,15 @@
 
 namespace posefusion {
 
-/// Counts since the start or the last reset.
+/// How things stand, since the start or the last reset.
 struct MappingCounts {
   std::size_t processed = 0;
   std::size_t tracked = 0;
   std::size_t refused = 0;
+  std::size_t dropped = 0;  ///< since the start
   std::size_t resets = 0;
+  std::size_t queue_length = 0;
+  std::string trouble;  ///< why the last frame could not be used; empty when it could
 };
 
 /// Runs Slam on its own thread behind a bounded queue. Whoever makes it gets called back on that
@@ -26,9 +29,12 @@ class MappingWorker {
  public:
   struct Callbacks {
     /// After each frame given to Slam.
-    std::function<void(const Slam&, const FrameResult&, const std_msgs::Header& rgb_header)> frame;
-    std::function<void(const Slam&)> idle;  ///< several times a second while no good frame comes
-    std::function<void()> reset;            ///< map and poses have been forgotten
+    std::function<void(const Slam&, const FrameResult&, const std_msgs::Header& rgb_header,
+                       const MappingCounts&)>
+        frame;
+    /// Several times a second while no good frame comes.
+    std::function<void(const Slam&, const MappingCounts&)> idle;
+    std::function<void()> reset;  ///< map and poses have been forgotten
     /// At the end, after the last frame.
     std::function<void(const Slam&)> finish;
     TroubleLog::Sink log_error;
@@ -45,14 +51,6 @@ class MappingWorker {
   /// Thread-safe; returns at once.
   void Push(RgbdMessages messages) { queue_.Push(std::move(messages)); }
 
-  std::size_t queue_length() const { return queue_.size(); }
-  std::size_t num_dropped() const { return queue_.num_dropped(); }
-
-  // To be called from the callbacks only.
-  const MappingCounts& counts() const { return counts_; }
-  /// Why the last frame could not be used; empty when it could.
-  const std::string& trouble() const { return trouble_.trouble(); }
-
  private:
   void Run();
   /// Lets no exception through: it is counted and told instead.
@@ -60,6 +58,7 @@ class MappingWorker {
   /// False when the frame was not given to Slam.
   bool Work(const RgbdMessages& messages);
   bool IsInOrder(StampNs stamp_ns);
+  MappingCounts CurrentCounts() const;
   void Refuse(const std::string& text);
 
   const MappingRosConfig config_;
