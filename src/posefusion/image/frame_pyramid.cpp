@@ -98,6 +98,7 @@ void PyramidBuilder::Build(const RgbdFrame& frame, const cv::Mat& mask,
   const int width = frame.camera.width;
   const int height = frame.camera.height;
   pyramid.stamp_ns = frame.stamp_ns;
+  pyramid.depth_stamp_ns = frame.depth_stamp_ns;
   pyramid.rgb = frame.rgb;
   pyramid.raw_depth_m.Resize(width, height);
   pyramid.levels.resize(static_cast<std::size_t>(config_.num_levels));

@@ -22,7 +22,8 @@ struct PyramidLevel {
 
 /// What tracking and fusion need of a rectified frame, made once per frame.
 struct FramePyramid {
-  StampNs stamp_ns = 0;
+  StampNs stamp_ns = 0;        ///< of the colour image
+  StampNs depth_stamp_ns = 0;
   cv::Mat rgb;                       ///< as in the frame
   Grid<float> raw_depth_m;           ///< as in the frame within the cut-off, 0 = none or masked
   std::vector<PyramidLevel> levels;  ///< 0 = full resolution

@@ -111,7 +111,10 @@ double Slam::State::MotionWeight() const {
 void Slam::State::FuseInto(const TrackingResult& tracking) {
   const auto scope = clock.Measure("fuse");
   const double weight = map->NumSurfels() == 0 ? 1 : MotionWeight();
-  fuser->Fuse(pyramid, tracking.T_map_camera, weight, parallel, *map);
+  FramePoses poses;
+  poses.T_map_color = tracking.T_map_camera;
+  poses.T_map_depth = tracking.T_map_camera * tracker->T_color_depth();
+  fuser->Fuse(pyramid, poses, weight, parallel, *map);
 }
 
 void Slam::State::Predict() {

@@ -27,6 +27,16 @@ float NearestOf(float a, float b, float c) {
   return std::min(pa, std::min(pb, pc));
 }
 
+/// Colour of the pixel nearest to a point's projection, of the border where that lies outside.
+Eigen::Vector3f ColorAt(const cv::Mat& rgb, const CameraModel& camera, const Eigen::Vector3f& p) {
+  const Eigen::Vector2d pixel = camera.Project(p.cast<double>());
+  const int x = std::clamp(static_cast<int>(std::lround(pixel.x())), 0, camera.width - 1);
+  const int y = std::clamp(static_cast<int>(std::lround(pixel.y())), 0, camera.height - 1);
+  const std::uint8_t* color = rgb.ptr<std::uint8_t>(y) + 3 * x;
+  return {static_cast<float>(color[0]), static_cast<float>(color[1]),
+          static_cast<float>(color[2])};
+}
+
 /// Squared half diagonal of the image over the fall-off: weight exp(-r^2 times this).
 double InverseFalloff(const FusionConfig& config, const CameraModel& camera) {
   const double half_diagonal2 =
@@ -41,8 +51,9 @@ double RadiusScale(const FusionConfig& config, const CameraModel& camera) {
 }
 
 FusionKernelInput MakeInput(const FusionConfig& config, const DepthNoiseConfig& noise,
-                            const CameraModel& camera, const Eigen::Isometry3d& T_map_camera,
-                            double frame_weight) {
+                            const CameraModel& camera, const FramePoses& poses, double frame_weight) {
+  const Eigen::Isometry3d& T_map_camera = poses.T_map_depth;
+  const Eigen::Isometry3d T_color_depth = poses.T_map_color.inverse() * poses.T_map_depth;
   FusionKernelInput in;
   in.width = camera.width;
   in.height = camera.height;
@@ -53,6 +64,8 @@ FusionKernelInput MakeInput(const FusionConfig& config, const DepthNoiseConfig& 
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 3; ++c) in.rotation[3 * r + c] = static_cast<float>(T_map_camera(r, c));
     in.translation[r] = static_cast<float>(T_map_camera(r, 3));
+    for (int c = 0; c < 3; ++c) in.color_rotation[3 * r + c] = static_cast<float>(T_color_depth(r, c));
+    in.color_translation[r] = static_cast<float>(T_color_depth(r, 3));
   }
   in.min_depth_m = 0.1F;
   in.max_depth_m = 1e6F;
@@ -81,13 +94,12 @@ FusionKernelInput MakeInput(const FusionConfig& config, const DepthNoiseConfig& 
 Fuser::Fuser(const FusionConfig& config, const DepthNoiseConfig& noise)
     : config_(config), noise_(noise) {}
 
-FusionCounts Fuser::Fuse(const FramePyramid& frame, const Eigen::Isometry3d& T_map_camera,
-                         double frame_weight, const ParallelRunner& parallel, SurfelMap& map) {
+FusionCounts Fuser::Fuse(const FramePyramid& frame, const FramePoses& poses, double frame_weight, const ParallelRunner& parallel, SurfelMap& map) {
   map.BeginFrame(frame.stamp_ns);
   PrepareMeasurement(frame, parallel);
-  FusionCounts counts = UpdateVisible(frame, T_map_camera, frame_weight, parallel, map);
+  FusionCounts counts = UpdateVisible(frame, poses, frame_weight, parallel, map);
   counts.removed += RemoveStale(map);
-  counts.created = Spawn(frame, T_map_camera, frame_weight, parallel, map);
+  counts.created = Spawn(frame, poses, frame_weight, parallel, map);
   return counts;
 }
 
@@ -116,11 +128,10 @@ void Fuser::PrepareMeasurement(const FramePyramid& frame, const ParallelRunner& 
   });
 }
 
-FusionCounts Fuser::UpdateVisible(const FramePyramid& frame, const Eigen::Isometry3d& T_map_camera,
-                                  double frame_weight, const ParallelRunner& parallel,
+FusionCounts Fuser::UpdateVisible(const FramePyramid& frame, const FramePoses& poses, double frame_weight, const ParallelRunner& parallel,
                                   SurfelMap& map) {
   const PyramidLevel& finest = frame.levels.front();
-  FusionKernelInput in = MakeInput(config_, noise_, finest.camera, T_map_camera, frame_weight);
+  FusionKernelInput in = MakeInput(config_, noise_, finest.camera, poses, frame_weight);
   in.depth_m = frame.raw_depth_m.data();
   in.nearest_around_m = nearest_around_m_.data();
   in.normal_x = finest.normals.x.data();
@@ -138,7 +149,7 @@ FusionCounts Fuser::UpdateVisible(const FramePyramid& frame, const Eigen::Isomet
   first_fresh_frame_ = static_cast<std::uint32_t>(in.first_fresh_frame);
 
   constexpr double kBeyondAnything = 1e6;
-  map.FindVisible(Frustum(finest.camera, T_map_camera, kBeyondAnything, kFrustumMarginPx),
+  map.FindVisible(Frustum(finest.camera, poses.T_map_depth, kBeyondAnything, kFrustumMarginPx),
                   visible_);
   map.ReserveSnapshots(visible_);
   chunk_counts_.assign(visible_.size(), ChunkCounts());
@@ -203,16 +214,16 @@ void Fuser::ScheduleRecheck(std::uint32_t index, SurfelMap& map) const {
   map.ScheduleRecheck(index, map.frame() + static_cast<std::uint32_t>(config_.recheck_frames));
 }
 
-int Fuser::Spawn(const FramePyramid& frame, const Eigen::Isometry3d& T_map_camera,
-                 double frame_weight, const ParallelRunner& parallel, SurfelMap& map) {
+int Fuser::Spawn(const FramePyramid& frame, const FramePoses& poses, double frame_weight, const ParallelRunner& parallel, SurfelMap& map) {
   const PyramidLevel& finest = frame.levels.front();
   const CameraModel& camera = finest.camera;
   const int stride = config_.spawn_stride_px;
   const int phase = static_cast<int>(map.frame()) % stride;
   const auto inverse_falloff = static_cast<float>(InverseFalloff(config_, camera));
   const auto radius_scale = static_cast<float>(RadiusScale(config_, camera));
-  const Eigen::Matrix3f R = T_map_camera.linear().cast<float>();
-  const Eigen::Vector3f t = T_map_camera.translation().cast<float>();
+  const Eigen::Matrix3f R = poses.T_map_depth.linear().cast<float>();
+  const Eigen::Vector3f t = poses.T_map_depth.translation().cast<float>();
+  const Eigen::Isometry3f T_color_depth = (poses.T_map_color.inverse() * poses.T_map_depth).cast<float>();
   const int num_blocks = (camera.height + kSpawnRowsPerBlock - 1) / kSpawnRowsPerBlock;
   spawned_.resize(static_cast<std::size_t>(num_blocks));
 
@@ -241,9 +252,7 @@ int Fuser::Spawn(const FramePyramid& frame, const Eigen::Isometry3d& T_map_camer
         Surfel surfel;
         surfel.position_m = R * (ray * depth[x]) + t;
         surfel.normal = R * normal;
-        const std::uint8_t* rgb = frame.rgb.ptr<std::uint8_t>(y) + 3 * x;
-        surfel.rgb = {static_cast<float>(rgb[0]), static_cast<float>(rgb[1]),
-                      static_cast<float>(rgb[2])};
+        surfel.rgb = ColorAt(frame.rgb, camera, T_color_depth * (ray * depth[x]));
         surfel.radius_m = depth[x] * radius_scale / std::max(-normal.z(), 0.5F);
         surfel.confidence =
             static_cast<float>(frame_weight) * std::exp(-(dx * dx + dy * dy) * inverse_falloff);

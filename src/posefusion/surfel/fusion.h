@@ -19,6 +19,12 @@ struct FusionCounts {
   int removed = 0;  ///< contradicted by free space, or unstable for too long
 };
 
+/// Where the camera was for the two images of a frame, which are rarely taken at the same moment.
+struct FramePoses {
+  Eigen::Isometry3d T_map_color = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d T_map_depth = Eigen::Isometry3d::Identity();
+};
+
 /// Merges tracked frames into the surfel map.
 ///
 /// Every surfel in view looks up the pixel it projects to. Where the measurement there is the same
@@ -31,10 +37,10 @@ class Fuser {
  public:
   Fuser(const FusionConfig& config, const DepthNoiseConfig& noise);
 
-  /// Fuses a frame seen from T_map_camera; calls map.BeginFrame. `frame_weight` scales the weight
+  /// Fuses a frame; calls map.BeginFrame. `frame_weight` scales the weight
   /// of every measurement (fast motion: less, Whelan et al. 2015).
-  FusionCounts Fuse(const FramePyramid& frame, const Eigen::Isometry3d& T_map_camera,
-                    double frame_weight, const ParallelRunner& parallel, SurfelMap& map);
+  FusionCounts Fuse(const FramePyramid& frame, const FramePoses& poses, double frame_weight,
+                    const ParallelRunner& parallel, SurfelMap& map);
 
  private:
   struct ChunkCounts {
@@ -44,11 +50,10 @@ class Fuser {
   };
 
   void PrepareMeasurement(const FramePyramid& frame, const ParallelRunner& parallel);
-  FusionCounts UpdateVisible(const FramePyramid& frame, const Eigen::Isometry3d& T_map_camera,
-                             double frame_weight, const ParallelRunner& parallel, SurfelMap& map);
+  FusionCounts UpdateVisible(const FramePyramid& frame, const FramePoses& poses, double frame_weight, const ParallelRunner& parallel, SurfelMap& map);
   int RemoveStale(SurfelMap& map);
   void ScheduleRecheck(std::uint32_t index, SurfelMap& map) const;
-  int Spawn(const FramePyramid& frame, const Eigen::Isometry3d& T_map_camera, double frame_weight,
+  int Spawn(const FramePyramid& frame, const FramePoses& poses, double frame_weight,
             const ParallelRunner& parallel, SurfelMap& map);
 
   FusionConfig config_;

@@ -9,7 +9,7 @@ using namespace simd;
 
 /// Measurements at the pixels of eight surfels.
 struct Measured {
-  F8 depth, nearest, nx, ny, nz, red, green, blue;
+  F8 depth, nearest, nx, ny, nz;
 };
 
 POSEFUSION_INLINE Measured Gather(const FusionKernelInput& in, I8 pixel) {
@@ -21,11 +21,25 @@ POSEFUSION_INLINE Measured Gather(const FusionKernelInput& in, I8 pixel) {
     m.nx[i] = in.normal_x[p];
     m.ny[i] = in.normal_y[p];
     m.nz[i] = in.normal_z[p];
-    m.red[i] = static_cast<float>(in.rgb[3 * p]);
-    m.green[i] = static_cast<float>(in.rgb[3 * p + 1]);
-    m.blue[i] = static_cast<float>(in.rgb[3 * p + 2]);
+    
   }
   return m;
+}
+
+/// Colours at the pixels nearest to (u, v), for lanes where that lies in the image.
+struct Colors {
+  F8 red, green, blue;
+};
+
+POSEFUSION_INLINE Colors GatherColors(const FusionKernelInput& in, I8 pixel) {
+  Colors c;
+  for (int i = 0; i < kLanes; ++i) {
+    const std::uint8_t* rgb = in.rgb + 3 * pixel[i];
+    c.red[i] = static_cast<float>(rgb[0]);
+    c.green[i] = static_cast<float>(rgb[1]);
+    c.blue[i] = static_cast<float>(rgb[2]);
+  }
+  return c;
 }
 
 POSEFUSION_INLINE I8 LoadInt(const std::uint32_t* p) {
@@ -126,11 +140,23 @@ POSEFUSION_KERNEL FusionKernelCounts UpdateSurfels(const FusionKernelInput& in,
     Store(s.nx + i, Select(fine, bx * inverse_length, snx));
     Store(s.ny + i, Select(fine, by * inverse_length, sny));
     Store(s.nz + i, Select(fine, bz * inverse_length, snz));
-    const F8 color_share = Min(share * in.color_rate, one);
+    // The colour image was taken from a slightly different place.
+    const float* C = in.color_rotation;
+    const F8 wx = px * C[0] + py * C[1] + pz * C[2] + in.color_translation[0];
+    const F8 wy = px * C[3] + py * C[4] + pz * C[5] + in.color_translation[1];
+    const F8 wz = px * C[6] + py * C[7] + pz * C[8] + in.color_translation[2];
+    const F8 inverse_wz = one / Max(wz, Broadcast(0.05F));
+    const F8 cu = wx * inverse_wz * in.fx + (in.cx + 0.5F);
+    const F8 cv = wy * inverse_wz * in.fy + (in.cy + 0.5F);
+    const I8 has_color = in_view & (cu >= zero) & (cv >= zero) &
+                         (cu < static_cast<float>(in.width)) & (cv < static_cast<float>(in.height));
+    const Colors m_color = GatherColors(
+        in, ToInt(ZeroUnless(has_color, cv)) * in.width + ToInt(ZeroUnless(has_color, cu)));
+    const F8 color_share = ZeroUnless(has_color, Min(share * in.color_rate, one));
     const F8 red = Load(s.red + i), green = Load(s.green + i), blue = Load(s.blue + i);
-    Store(s.red + i, red + color_share * (m.red - red));
-    Store(s.green + i, green + color_share * (m.green - green));
-    Store(s.blue + i, blue + color_share * (m.blue - blue));
+    Store(s.red + i, red + color_share * (m_color.red - red));
+    Store(s.green + i, green + color_share * (m_color.green - green));
+    Store(s.blue + i, blue + color_share * (m_color.blue - blue));
 
     // The measured surface and all around it lie behind the surfel: it is not there any more.
     const F8 free_gate = Max(Broadcast(in.free_space_distance_m), sigma * in.free_space_sigmas);

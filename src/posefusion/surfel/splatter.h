@@ -11,7 +11,7 @@
 namespace posefusion {
 
 struct SplatConfig {
-  int level = 0;                    ///< resolution of the view: the camera's, halved so often
+  int level = 1;                    ///< resolution of the view: the camera's, halved so often
   double stable_confidence = 10.0;  ///< stable surfels hide unstable ones, whichever is nearer
   double unstable_weight = 0.05;    ///< least weight of a surfel in the mean, of a stable one's
   double min_footprint_px = 0.75;   ///< discs are drawn at least with this radius

@@ -11,7 +11,7 @@ constexpr int kSamplesPerBlock = 2048;
 /// Fewer rows do not fix six unknowns reliably.
 constexpr double kMinRows = 200;
 
-Matrix6d FullMatrix(const ResidualSums& sums) {
+Matrix6d FullMatrix(const NormalEquations& sums) {
   Matrix6d A;
   int k = 0;
   for (int row = 0; row < 6; ++row) {
@@ -40,6 +40,8 @@ void SetSamples(const Samples& samples, ResidualInput& input) {
   input.end = samples.size;
 }
 
+
+
 /// RMS of residuals under Student-t weights.
 double RobustScale(double weighted_squares, double rows) {
   return rows > 0 ? std::sqrt(weighted_squares / rows) : 0;
@@ -51,15 +53,15 @@ Aligner::Aligner(const TrackingConfig& config, const DepthNoiseConfig& noise)
     : config_(config), noise_(noise) {}
 
 Alignment Aligner::Align(const FramePyramid& frame, const ModelView& view,
-                         const Eigen::Isometry3d& T_guess, const ParallelRunner& parallel) {
+                         const Start& start, const ParallelRunner& parallel) {
   Alignment alignment;
-  alignment.T_view_camera = T_guess;
+  alignment.T_view_camera = start.T_view_camera;
   Scales scales;
   const int last = static_cast<int>(frame.levels.size()) - 1;
   const int coarsest = std::min(config_.coarsest_level, last);
   const int finest = std::min(config_.finest_level, coarsest);
   for (int level = coarsest; level >= finest; --level) {
-    AlignLevel(frame, view, level, parallel, scales, alignment);
+    AlignLevel(frame, view, start, level, parallel, scales, alignment);
     if (!alignment.solved) break;
   }
   alignment.T_view_camera = Orthonormalized(alignment.T_view_camera);
@@ -121,13 +123,16 @@ void Aligner::UpdateScales(const ResidualSums& sums, Scales& scales) const {
   }
 }
 
-void Aligner::AlignLevel(const FramePyramid& frame, const ModelView& view, int level,
-                         const ParallelRunner& parallel, Scales& scales, Alignment& alignment) {
+void Aligner::AlignLevel(const FramePyramid& frame, const ModelView& view, const Start& start,
+                         int level, const ParallelRunner& parallel, Scales& scales, Alignment& alignment) {
   const bool finest = level == std::min(config_.finest_level, config_.coarsest_level);
-  const int stride = finest ? config_.finest_stride_px : config_.coarsest_stride_px;
+  SamplingOptions sampling;
+  sampling.stride_px = finest ? config_.finest_stride_px : config_.coarsest_stride_px;
+  sampling.sigma_floor_m = config_.icp_sigma_floor_m;
+  sampling.noise = noise_;
+  sampling.T_color_depth = start.T_color_depth;
   const int iterations = finest ? config_.finest_iterations : config_.coarse_iterations;
-  CollectSamples(frame.levels[static_cast<std::size_t>(level)], stride, config_.icp_sigma_floor_m,
-                 noise_, parallel, samples_);
+  CollectSamples(frame.levels[static_cast<std::size_t>(level)], sampling, parallel, samples_);
   ResidualInput input =
       MakeInput(view, level - (view.camera.width == frame.levels[0].camera.width ? 0 : 1));
   SetSamples(samples_, input);
@@ -145,11 +150,14 @@ void Aligner::AlignLevel(const FramePyramid& frame, const ModelView& view, int l
     alignment.icp_scale = RobustScale(sums.icp_weighted_squares, sums.icp_rows);
     alignment.icp_rms_m = RobustScale(sums.icp_weighted_squares_m2, sums.icp_rows);
     alignment.intensity_rms = RobustScale(sums.intensity_weighted_squares, sums.intensity_rows);
-    alignment.information = FullMatrix(sums);
+    alignment.icp_information = FullMatrix(sums.icp);
+    alignment.intensity_information = FullMatrix(sums.intensity);
+    alignment.icp_gradient = Eigen::Map<const Vector6d>(sums.icp.b);
+    alignment.intensity_gradient = Eigen::Map<const Vector6d>(sums.intensity.b);
     alignment.solved = false;
     if (sums.icp_rows + sums.intensity_rows < kMinRows) return;
-    const Eigen::LDLT<Matrix6d> ldlt(alignment.information);
-    const Vector6d step = -ldlt.solve(Eigen::Map<const Vector6d>(sums.b));
+    const Eigen::LDLT<Matrix6d> ldlt(alignment.Information());
+    const Vector6d step = -ldlt.solve(alignment.icp_gradient + alignment.intensity_gradient);
     if (ldlt.info() != Eigen::Success || !ldlt.isPositive() || !step.allFinite()) return;
     alignment.solved = true;
     alignment.T_view_camera = ExpSE3(step) * alignment.T_view_camera;

@@ -14,8 +14,13 @@ namespace posefusion {
 
 /// Outcome of aligning a frame to a view. Rows and residuals are the finest level's last.
 struct Alignment {
+  Matrix6d Information() const { return icp_information + intensity_information; }
   Eigen::Isometry3d T_view_camera = Eigen::Isometry3d::Identity();
-  Matrix6d information = Matrix6d::Zero();  ///< A of the last iteration, left perturbation in view
+  /// A and b of the last iteration, for a left perturbation in the view.
+  Matrix6d icp_information = Matrix6d::Zero();
+  Matrix6d intensity_information = Matrix6d::Zero();
+  Vector6d icp_gradient = Vector6d::Zero();
+  Vector6d intensity_gradient = Vector6d::Zero();
   bool solved = false;                      ///< false: the equations had no solution
   int num_samples = 0;                      ///< of the finest level
   double valid_ratio = 0;                   ///< share of its pixels with depth
@@ -32,9 +37,15 @@ class Aligner {
  public:
   Aligner(const TrackingConfig& config, const DepthNoiseConfig& noise);
 
-  /// `T_guess` is where to start, T_view_camera.
-  Alignment Align(const FramePyramid& frame, const ModelView& view,
-                  const Eigen::Isometry3d& T_guess, const ParallelRunner& parallel);
+  /// Where to start.
+  struct Start {
+    Eigen::Isometry3d T_view_camera = Eigen::Isometry3d::Identity();  ///< guess for the frame
+    /// Where the camera was when the depth was measured, seen from where it was for the colour.
+    Eigen::Isometry3d T_color_depth = Eigen::Isometry3d::Identity();
+  };
+
+  Alignment Align(const FramePyramid& frame, const ModelView& view, const Start& start,
+                  const ParallelRunner& parallel);
 
  private:
   /// Robust scales, carried from one iteration to the next.
@@ -45,7 +56,7 @@ class Aligner {
   };
 
   ResidualInput MakeInput(const ModelView& view, int level) const;
-  void AlignLevel(const FramePyramid& frame, const ModelView& view, int level,
+  void AlignLevel(const FramePyramid& frame, const ModelView& view, const Start& start, int level,
                   const ParallelRunner& parallel, Scales& scales, Alignment& alignment);
   ResidualSums Evaluate(const ResidualInput& input, const ParallelRunner& parallel);
   void UpdateScales(const ResidualSums& sums, Scales& scales) const;

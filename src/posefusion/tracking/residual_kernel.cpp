@@ -7,17 +7,23 @@ namespace {
 
 using namespace simd;
 
+/// Normal equations in lanes.
+struct LaneEquations {
+  F8 a[NormalEquations::kA];
+  F8 b[6];
+};
+
 /// Sums in lanes.
 struct LaneSums {
-  F8 a[ResidualSums::kA];
-  F8 b[6];
+  LaneEquations icp;
+  LaneEquations intensity;
   F8 icp_rows, icp_squares, icp_squares_m2, icp_weights;
   F8 intensity_rows, intensity_squares, intensity_sum, intensity_weights;
 };
 
 /// Adds the row J = (g, q x g) with residual r and weight w to the normal equations.
 POSEFUSION_INLINE void AddRow(F8 gx, F8 gy, F8 gz, F8 qx, F8 qy, F8 qz, F8 r, F8 w,
-                              LaneSums& sums) {
+                              LaneEquations& sums) {
   const F8 j[6] = {gx, gy, gz, qy * gz - qz * gy, qz * gx - qx * gz, qx * gy - qy * gx};
   int k = 0;
   for (int row = 0; row < 6; ++row) {
@@ -29,9 +35,14 @@ POSEFUSION_INLINE void AddRow(F8 gx, F8 gy, F8 gz, F8 qx, F8 qy, F8 qz, F8 r, F8
 
 }  // namespace
 
-void ResidualSums::Add(const ResidualSums& other) {
+void NormalEquations::Add(const NormalEquations& other) {
   for (int i = 0; i < kA; ++i) a[i] += other.a[i];
   for (int i = 0; i < 6; ++i) b[i] += other.b[i];
+}
+
+void ResidualSums::Add(const ResidualSums& other) {
+  icp.Add(other.icp);
+  intensity.Add(other.intensity);
   icp_rows += other.icp_rows;
   icp_weighted_squares += other.icp_weighted_squares;
   icp_weighted_squares_m2 += other.icp_weighted_squares_m2;
@@ -94,7 +105,7 @@ POSEFUSION_KERNEL void AccumulateResiduals(const ResidualInput& in, ResidualSums
       const F8 robust = ZeroUnless(matched, (dof + 1.0F) / (dof + scaled * scaled));
       const F8 to_information = inverse_sigma * in.icp_inverse_scale;
       const F8 w = robust * to_information * to_information * in.icp_information;
-      AddRow(nx, ny, nz, qx, qy, qz, r, w, sums);
+      AddRow(nx, ny, nz, qx, qy, qz, r, w, sums.icp);
       sums.icp_rows += ZeroUnless(matched, one);
       sums.icp_squares += robust * e * e;
       sums.icp_squares_m2 += robust * r * r;
@@ -130,15 +141,21 @@ POSEFUSION_KERNEL void AccumulateResiduals(const ResidualInput& in, ResidualSums
       const F8 gx = gradient_x * inverse_z * in.intensity_fx;
       const F8 gy = gradient_y * inverse_z * in.intensity_fy;
       const F8 gz = -(gx * slope_x + gy * slope_y);
-      AddRow(gx, gy, gz, qx, qy, qz, r, w, sums);
+      AddRow(gx, gy, gz, qx, qy, qz, r, w, sums.intensity);
       sums.intensity_rows += ZeroUnless(matched, one);
       sums.intensity_squares += robust * r * r;
       sums.intensity_sum += robust * r;
       sums.intensity_weights += robust;
     }
   }
-  for (int k = 0; k < ResidualSums::kA; ++k) out.a[k] = Sum(sums.a[k]);
-  for (int k = 0; k < 6; ++k) out.b[k] = Sum(sums.b[k]);
+  for (int k = 0; k < NormalEquations::kA; ++k) {
+    out.icp.a[k] = Sum(sums.icp.a[k]);
+    out.intensity.a[k] = Sum(sums.intensity.a[k]);
+  }
+  for (int k = 0; k < 6; ++k) {
+    out.icp.b[k] = Sum(sums.icp.b[k]);
+    out.intensity.b[k] = Sum(sums.intensity.b[k]);
+  }
   out.icp_rows = Sum(sums.icp_rows);
   out.icp_weighted_squares = Sum(sums.icp_squares);
   out.icp_weighted_squares_m2 = Sum(sums.icp_squares_m2);

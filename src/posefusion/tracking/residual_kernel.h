@@ -39,12 +39,19 @@ struct ResidualInput {
   bool use_icp, use_intensity;
 };
 
-/// Sums over a block of samples. The normal equations A x = -b have the order (translation,
-/// rotation) for x applied on the left: T <- Exp(x) T.
-struct ResidualSums {
+/// Normal equations A x = -b for x = (translation, rotation) applied on the left: T <- Exp(x) T.
+struct NormalEquations {
   static constexpr int kA = 21;  ///< upper triangle, row by row
   double a[kA] = {};
   double b[6] = {};
+
+  void Add(const NormalEquations& other);
+};
+
+/// Sums over a block of samples.
+struct ResidualSums {
+  NormalEquations icp;
+  NormalEquations intensity;
   double icp_rows = 0;
   double icp_weighted_squares = 0;     ///< sum of w e^2, e normalised by the depth noise
   double icp_weighted_squares_m2 = 0;  ///< sum of w r^2, metres^2

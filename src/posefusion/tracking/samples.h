@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <vector>
 
 #include "posefusion/common/parallel.h"
@@ -18,10 +19,19 @@ struct Samples {
   int num_pixels = 0;  ///< looked at, with or without depth
 };
 
-/// Takes every stride-th pixel of every stride-th row that has depth. `sigma_floor_m` is added to
-/// the depth noise (root of the sum of squares). Memory of `samples` is reused.
-void CollectSamples(const PyramidLevel& level, int stride, double sigma_floor_m,
-                    const DepthNoiseConfig& noise, const ParallelRunner& parallel,
-                    Samples& samples);
+/// Which pixels become samples, and how.
+struct SamplingOptions {
+  int stride_px = 1;           ///< every stride-th pixel of every stride-th row that has depth
+  double sigma_floor_m = 0;    ///< added to the depth noise (root of the sum of squares)
+  DepthNoiseConfig noise;
+  /// Where the camera was when the depth was measured, seen from where it was when the colour
+  /// image was taken. Points and normals are brought to the latter, and intensities are those of
+  /// the pixels they fall on there.
+  Eigen::Isometry3d T_color_depth = Eigen::Isometry3d::Identity();
+};
+
+/// Memory of `samples` is reused.
+void CollectSamples(const PyramidLevel& level, const SamplingOptions& options,
+                    const ParallelRunner& parallel, Samples& samples);
 
 }  // namespace posefusion

@@ -29,6 +29,7 @@ Tracker::Tracker(const TrackingConfig& config, const DepthNoiseConfig& noise)
 TrackingResult Tracker::Start(const FramePyramid& frame, const Eigen::Isometry3d& T_map_camera) {
   T_map_camera_ = T_map_camera;
   T_last_step_.setIdentity();
+  recent_.clear();
   Remember(frame);
   TrackingResult result;
   result.T_map_camera = T_map_camera;
@@ -39,14 +40,28 @@ TrackingResult Tracker::Start(const FramePyramid& frame, const Eigen::Isometry3d
 TrackingResult Tracker::Track(const FramePyramid& frame, const ModelView& view,
                               const ParallelRunner& parallel) {
   const Eigen::Isometry3d T_view_last = view.T_map_camera.inverse() * T_map_camera_;
-  const Alignment alignment = aligner_.Align(frame, view, T_view_last * Guess(frame), parallel);
+  Aligner::Start start;
+  
+  start.T_view_camera = T_view_last * Guess(frame);
+  const double lag_s = config_.depth_lag_s + SecondsBetween(frame.depth_stamp_ns, frame.stamp_ns);
+  start.T_color_depth = ExpSE3(-lag_s * Velocity());
+  const Alignment alignment = aligner_.Align(frame, view, start, parallel);
   const TrackingResult result = Judge(alignment, view);
   if (result.health != TrackingHealth::kFailed) {
     T_last_step_ = T_map_camera_.inverse() * result.T_map_camera;
+    T_color_depth_ = start.T_color_depth;
     T_map_camera_ = result.T_map_camera;
     Remember(frame);
   }
   return result;
+}
+
+Vector6d Tracker::Velocity() const {
+  if (recent_.size() < 2) return Vector6d::Zero();
+  const StampedPose& first = recent_.front();
+  const StampedPose& last = recent_.back();
+  return LogSE3(first.T_map_camera.inverse() * last.T_map_camera) /
+         SecondsBetween(first.stamp_ns, last.stamp_ns);
 }
 
 std::size_t Tracker::So3Level(const FramePyramid& frame) const {
@@ -54,6 +69,9 @@ std::size_t Tracker::So3Level(const FramePyramid& frame) const {
 }
 
 void Tracker::Remember(const FramePyramid& frame) {
+  recent_.push_back({frame.stamp_ns, T_map_camera_});
+  const auto keep = static_cast<std::size_t>(config_.velocity_frames) + 1;
+  while (recent_.size() > keep) recent_.pop_front();
   previous_intensity_ = frame.levels[So3Level(frame)].intensity;
 }
 
@@ -100,7 +118,7 @@ TrackingResult Tracker::Judge(const Alignment& alignment, const ModelView& view)
   T_here_view.linear() = view.T_map_camera.linear();
   T_here_view.translation() = -(view.T_map_camera.linear() * alignment.T_view_camera.translation());
   const Matrix6d adjoint = AdjointSE3(T_here_view);
-  const Matrix6d covariance_view = config_.covariance_scale * alignment.information.inverse();
+  const Matrix6d covariance_view = config_.covariance_scale * alignment.Information().inverse();
   result.covariance = adjoint * covariance_view * adjoint.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
       result.covariance.topLeftCorner<3, 3>(), Eigen::EigenvaluesOnly);

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <optional>
+#include <deque>
 
 #include "posefusion/common/parallel.h"
+#include "posefusion/common/trajectory.h"
 #include "posefusion/tracking/aligner.h"
 #include "posefusion/tracking/tracking_result.h"
 
@@ -22,12 +23,16 @@ class Tracker {
   TrackingResult Track(const FramePyramid& frame, const ModelView& view,
                        const ParallelRunner& parallel);
 
+  /// Where the camera was when the last frame's depth was measured, seen from the last pose.
+  const Eigen::Isometry3d& T_color_depth() const { return T_color_depth_; }
+
   /// Last pose that was not failed.
   const Eigen::Isometry3d& T_map_camera() const { return T_map_camera_; }
 
  private:
   Eigen::Isometry3d Guess(const FramePyramid& frame) const;
   TrackingResult Judge(const Alignment& alignment, const ModelView& view) const;
+  Vector6d Velocity() const;
   void Remember(const FramePyramid& frame);
   std::size_t So3Level(const FramePyramid& frame) const;
 
@@ -35,6 +40,8 @@ class Tracker {
   Aligner aligner_;
   Eigen::Isometry3d T_map_camera_ = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_last_step_ = Eigen::Isometry3d::Identity();  ///< camera motion, last frame
+  std::deque<StampedPose> recent_;  ///< of the last frames, for the velocity
+  Eigen::Isometry3d T_color_depth_ = Eigen::Isometry3d::Identity();
   Grid<float> previous_intensity_;
 };
 

@@ -37,18 +37,20 @@ struct TrackingConfig {
   double min_step_rad = 5e-5;  ///< ... and this
   bool use_icp = true;
   bool use_intensity = true;
-  double icp_weight = 1.0;              ///< multiplies the point-to-plane information
+  double icp_weight = 0.05;             ///< multiplies the point-to-plane information
   double icp_distance_m = 0.10;         ///< correspondences further apart are none
   double icp_angle_rad = 0.5;           ///< nor those with normals this far apart
   double icp_sigma_floor_m = 0.002;     ///< noise of the model, added to the depth noise
   double intensity_distance_m = 0.07;   ///< photometric pixels lie this close to the model
   double intensity_sigma_floor = 4.0;   ///< least scale of photometric residuals, grey levels
   double intensity_min_gradient = 1.0;  ///< flatter pixels say nothing, grey levels per pixel
+  double depth_lag_s = 0.0;          ///< depth is older than its stamp says, relative to colour
+  int velocity_frames = 3;           ///< camera velocity is the mean over so many frames
   double student_t_dof = 5.0;           ///< of the robust weights, Kerl et al. 2013
   bool estimate_brightness = true;      ///< follow exposure changes by a common offset
   double min_inlier_ratio = 0.25;       ///< below, the frame is not tracked
   double min_valid_ratio = 0.05;        ///< share of pixels with depth below which nothing is tried
-  double max_icp_rms_sigmas = 4.0;      ///< residuals of more depth noise sigmas: not tracked
+  double max_icp_rms_sigmas = 10.0;      ///< residuals of more depth noise sigmas: not tracked
   double max_translation_m = 0.3;       ///< faster motion between two frames is not believed
   double max_rotation_rad = 0.6;        ///< nor faster rotation
   double weak_sigma_m = 0.02;           ///< pose uncertain by more than this: health kWeak
@@ -75,6 +77,8 @@ void Describe(V& v, TrackingConfig& c) {
   v.Field("intensity_distance_m", c.intensity_distance_m, 0.001, 2.0);
   v.Field("intensity_sigma_floor", c.intensity_sigma_floor, 0.1, 100.0);
   v.Field("intensity_min_gradient", c.intensity_min_gradient, 0.0, 100.0);
+  v.Field("depth_lag_s", c.depth_lag_s, -0.2, 0.2);
+  v.Field("velocity_frames", c.velocity_frames, 1, 30);
   v.Field("student_t_dof", c.student_t_dof, 1.0, 1e6);
   v.Field("estimate_brightness", c.estimate_brightness);
   v.Field("min_inlier_ratio", c.min_inlier_ratio, 0.0, 1.0);
