@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "posefusion_ros/nodelets/blur_filter_config.h"
 #include "posefusion_ros/nodelets/mapping_config.h"
 #include "posefusion_ros/parameter_reader.h"
 
@@ -64,6 +65,14 @@ TEST(Parameters, ShippedMappingFilesHoldEveryKeyWithItsDefault) {
   EXPECT_EQ(Text(config), Text(MappingConfig()));
   EXPECT_EQ(CountKeys(node["ros"]), CountKeys(ToYaml(MappingRosConfig())));
   EXPECT_EQ(CountKeys(node["frames"]), CountKeys(ToYaml(FramesConfig())));
+}
+
+TEST(Parameters, ShippedBlurFilterFileHoldsEveryKeyWithItsDefault) {
+  const YAML::Node node = LoadYamlFile(kConfigDir + "/blur_filter.yaml");
+  BlurFilterNodeletConfig config;
+  ApplyYaml(node, "blur_filter", config);
+  EXPECT_EQ(Text(config), Text(BlurFilterNodeletConfig()));
+  EXPECT_EQ(CountKeys(node), CountKeys(ToYaml(config)));
 }
 
 }  // namespace
