@@ -44,3 +44,28 @@ function(posefusion_tests name)
     DISCOVERY_TIMEOUT 60
     PROPERTIES TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT RC_PARAMS=seed=42 LABELS "${ARG_LABELS}")
 endfunction()
+
+# For programs of ROS run by ctest: our python first, and nothing written outside the build folder.
+set(posefusion_ros_environment
+  "PATH=/usr/bin:$ENV{PATH}" "ROS_HOME=${CMAKE_BINARY_DIR}/ros_home"
+  "ROS_LOG_DIR=${CMAKE_BINARY_DIR}/ros_home/log")
+
+# posefusion_rostest(NAME SOURCES ... DEPENDS ... [TIMEOUT seconds])
+# A gtest program with its own main that NAME.test starts beside a ROS master.
+function(posefusion_rostest name)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;DEPENDS" ${ARGN})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 120)
+  endif()
+  add_executable(${name}_test ${ARG_SOURCES})
+  add_dependencies(${name}_test posefusion_nodelets)
+  target_include_directories(${name}_test PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name}_test PRIVATE
+    posefusion_flags ${ARG_DEPENDS} GTest::gmock GTest::gtest)
+  set_target_properties(${name}_test PROPERTIES
+    RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})
+  add_test(NAME ros.${name} COMMAND ${CATKIN_DEVEL_PREFIX}/env.sh
+    rostest ${CMAKE_CURRENT_SOURCE_DIR}/${name}.test)
+  set_tests_properties(ros.${name} PROPERTIES
+    TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "${posefusion_ros_environment}")
+endfunction()

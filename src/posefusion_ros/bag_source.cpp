@@ -1,0 +1,169 @@
+#include "posefusion_ros/bag_source.h"
+
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+
+#include <algorithm>
+#include <deque>
+#include <stdexcept>
+#include <vector>
+
+#include "posefusion_ros/topic_names.h"
+
+namespace posefusion {
+namespace {
+
+std::string Absolute(const std::string& topic) {
+  return topic.empty() || topic[0] == '/' ? topic : "/" + topic;
+}
+
+RgbdTopics Absolute(const RgbdTopics& topics) {
+  return {Absolute(topics.rgb), Absolute(topics.depth), Absolute(topics.info)};
+}
+
+void Open(rosbag::Bag& bag, const std::string& path) {
+  try {
+    bag.open(path, rosbag::bagmode::Read);
+  } catch (const rosbag::BagUnindexedException&) {
+    throw std::runtime_error(path + ": the bag has no index, its recording was cut off; " +
+                             "'rosbag reindex " + path + "' saves what is in it");
+  } catch (const rosbag::BagException& error) {
+    throw std::runtime_error(path + ": cannot be read as a bag: " + error.what());
+  }
+}
+
+/// Messages per topic. @throws std::runtime_error naming a topic that has none or another type.
+int CountMessages(const rosbag::Bag& bag, const std::string& path, const std::string& topic,
+                  const std::string& type) {
+  rosbag::View view(bag, rosbag::TopicQuery(topic));
+  if (view.size() == 0) {
+    std::string others;
+    rosbag::View all(bag);
+    for (const auto* connection : all.getConnections()) {
+      if (connection->datatype == type) others += " " + connection->topic;
+    }
+    throw std::runtime_error(path + ": no messages on topic " + topic + "; topics of type " + type +
+                             (others.empty() ? ": none" : ":" + others));
+  }
+  for (const auto* connection : view.getConnections()) {
+    if (connection->datatype == type) continue;
+    throw std::runtime_error(path + ": topic " + topic + " is " + connection->datatype + ", not " +
+                             type);
+  }
+  return static_cast<int>(view.size());
+}
+
+template <class Message>
+boost::shared_ptr<Message> Read(const rosbag::MessageInstance& message) {
+  auto content = message.instantiate<Message>();
+  if (!content)
+    throw std::runtime_error("written with another definition of " + message.getDataType());
+  return content;
+}
+
+}  // namespace
+
+BagSourceOptions::BagSourceOptions()
+    : topics(Absolute(RgbdTopics{kCameraRgbTopic, kCameraDepthTopic, kCameraInfoTopic})) {}
+
+struct BagSource::State {
+  State(const std::string& bag_path, const BagSourceOptions& bag_options)
+      : path(bag_path),
+        options(bag_options),
+        topics(Absolute(bag_options.topics)),
+        assembler(StampMatcherOptions{bag_options.max_difference_s}) {
+    Open(bag, path);
+    num_frames = std::min(CountMessages(bag, path, topics.rgb, "sensor_msgs/Image"),
+                          CountMessages(bag, path, topics.depth, "sensor_msgs/Image"));
+    CountMessages(bag, path, topics.info, "sensor_msgs/CameraInfo");
+    const std::vector<std::string> names = {topics.rgb, topics.depth, topics.info};
+    view.addQuery(bag, rosbag::TopicQuery(names));
+    next_message = view.begin();
+  }
+
+  /// Reads on until a frame is complete. False at the end of the bag.
+  bool FillReady() {
+    while (ready.empty()) {
+      if (next_message == view.end()) {
+        if (flushed) return false;
+        flushed = true;
+        Add(assembler.Flush());
+        continue;
+      }
+      const rosbag::MessageInstance message = *next_message;
+      ++next_message;
+      AddMessage(message);
+    }
+    return true;
+  }
+
+  void AddMessage(const rosbag::MessageInstance& message) {
+    try {
+      const std::string& topic = message.getTopic();
+      if (topic == topics.info) Add(assembler.AddInfo(Read<sensor_msgs::CameraInfo>(message)));
+      if (topic == topics.rgb) Add(assembler.AddRgb(Read<sensor_msgs::Image>(message)));
+      if (topic == topics.depth) Add(assembler.AddDepth(Read<sensor_msgs::Image>(message)));
+    } catch (const std::exception& error) {
+      throw std::runtime_error(path + ": " + message.getTopic() + ": damaged message at " +
+                               FormatStamp(static_cast<StampNs>(message.getTime().toNSec())) +
+                               ": " + error.what());
+    }
+  }
+
+  void Add(std::vector<RgbdMessages> frames) {
+    for (auto& frame : frames) ready.push_back(std::move(frame));
+  }
+
+  /// True when the frame is later than all before. @throws once for each time that stamps go back.
+  bool IsInOrder(const RgbdFrame& frame) {
+    if (frame.stamp_ns > last_ns) {
+      last_ns = frame.stamp_ns;
+      going_back = false;
+      return true;
+    }
+    if (going_back) return false;
+    going_back = true;
+    throw std::runtime_error(path + ": " + topics.rgb + ": stamps go back from " +
+                             FormatStamp(last_ns) + " to " + FormatStamp(frame.stamp_ns) +
+                             "; left out until they go on");
+  }
+
+  const std::string path;
+  const BagSourceOptions options;
+  const RgbdTopics topics;
+  FrameAssembler assembler;
+  rosbag::Bag bag;
+  rosbag::View view;
+  rosbag::View::iterator next_message;
+  std::deque<RgbdMessages> ready;
+  int num_frames = 0;
+  bool flushed = false;
+  StampNs last_ns = -1;
+  bool going_back = false;
+};
+
+BagSource::BagSource(const std::string& path, const BagSourceOptions& options)
+    : state_(std::make_unique<State>(path, options)) {}
+
+BagSource::~BagSource() = default;
+
+std::optional<RgbdFrame> BagSource::Next() {
+  while (state_->FillReady()) {
+    const RgbdMessages messages = std::move(state_->ready.front());
+    state_->ready.pop_front();
+    RgbdFrame frame;
+    try {
+      frame = ToRgbdFrame(messages, state_->options.images_are_rectified, state_->topics);
+    } catch (const std::invalid_argument& error) {
+      throw std::runtime_error(
+          state_->path + ": " + error.what() + " (frame " +
+          FormatStamp(static_cast<StampNs>(messages.rgb->header.stamp.toNSec())) + ")");
+    }
+    if (state_->IsInOrder(frame)) return frame;
+  }
+  return std::nullopt;
+}
+
+std::optional<int> BagSource::NumFrames() const { return state_->num_frames; }
+
+}  // namespace posefusion

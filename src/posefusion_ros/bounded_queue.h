@@ -1,0 +1,77 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+namespace posefusion {
+
+/// Hands items from one thread to another. When it is full the oldest item makes room: a robot
+/// wants the newest frame. Thread-safe.
+template <class T>
+class BoundedQueue {
+ public:
+  /// `capacity` 0 means no bound.
+  explicit BoundedQueue(std::size_t capacity) : capacity_(capacity) {}
+
+  void Push(T item) {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (closed_) return;
+      if (capacity_ != 0 && items_.size() >= capacity_) {
+        items_.pop_front();
+        ++num_dropped_;
+      }
+      items_.push_back(std::move(item));
+    }
+    changed_.notify_one();
+  }
+
+  /// The oldest item; nothing after `timeout` without one, and at once after Close.
+  std::optional<T> PopFor(std::chrono::milliseconds timeout) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    changed_.wait_for(lock, timeout, [this] { return closed_ || !items_.empty(); });
+    if (closed_ || items_.empty()) return std::nullopt;
+    std::optional<T> item(std::move(items_.front()));
+    items_.pop_front();
+    return item;
+  }
+
+  /// Ends all waiting; what is in the queue is forgotten.
+  void Close() {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      closed_ = true;
+      items_.clear();
+    }
+    changed_.notify_all();
+  }
+
+  bool closed() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return closed_;
+  }
+  std::size_t size() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return items_.size();
+  }
+  /// Items that have been dropped to make room.
+  std::size_t num_dropped() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return num_dropped_;
+  }
+
+ private:
+  const std::size_t capacity_;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<T> items_;
+  std::size_t num_dropped_ = 0;
+  bool closed_ = false;
+};
+
+}  // namespace posefusion

@@ -1,0 +1,101 @@
+#include <nodelet/nodelet.h>
+#include <posefusion/BlurScore.h>
+
+#include <memory>
+#include <optional>
+#include <pluginlib/class_list_macros.hpp>
+#include <string>
+
+#include "posefusion/image/blur_filter.h"
+#include "posefusion_ros/conversions.h"
+#include "posefusion_ros/nodelets/blur_filter_config.h"
+#include "posefusion_ros/nodelets/rgbd_subscriber.h"
+#include "posefusion_ros/parameter_reader.h"
+#include "posefusion_ros/topic_names.h"
+#include "posefusion_ros/trouble_log.h"
+
+namespace posefusion {
+
+/// Passes on the frames of an RGB-D camera that are not blurred. What goes out under sharp/ are the
+/// messages that came in, not copies: camera_info first, then depth, then colour, so that whoever
+/// has the colour image has the rest.
+class BlurFilterNodelet : public nodelet::Nodelet {
+ private:
+  void onInit() override {
+    try {
+      Start();
+    } catch (const std::exception& error) {
+      NODELET_FATAL_STREAM(error.what());
+      throw;
+    }
+  }
+
+  void Start() {
+    ros::NodeHandle node = getNodeHandle();
+    config_ = ReadConfig<BlurFilterNodeletConfig>(getPrivateNodeHandle());
+    filter_.emplace(config_.filter);
+    const auto queue_size = static_cast<std::uint32_t>(
+        config_.ros.input.lossless ? 0 : config_.ros.input.subscriber_queue_size);
+    rgb_ = node.advertise<sensor_msgs::Image>(kSharpRgbTopic, queue_size);
+    depth_ = node.advertise<sensor_msgs::Image>(kSharpDepthTopic, queue_size);
+    info_ = node.advertise<sensor_msgs::CameraInfo>(kSharpInfoTopic, queue_size);
+    score_ = node.advertise<BlurScore>(kBlurScoreTopic, queue_size);
+    rgb_topic_ = node.resolveName(kCameraRgbTopic);
+    subscriber_ = std::make_unique<RgbdSubscriber>(
+        node, RgbdTopics{kCameraRgbTopic, kCameraDepthTopic, kCameraInfoTopic}, config_.ros.input,
+        config_.ros.input_is_paired, [this](const RgbdMessages& frame) { OnFrame(frame); });
+    NODELET_INFO_STREAM("filter " << (config_.filter.enabled ? "on" : "off") << ", waiting for "
+                                  << subscriber_->topics().rgb << ", "
+                                  << subscriber_->topics().depth << ", "
+                                  << subscriber_->topics().info);
+  }
+
+  void OnFrame(const RgbdMessages& frame) {
+    try {
+      const bool sharp =
+          !config_.filter.enabled || IsSharp(*frame.rgb, ToRgb(frame.rgb, rgb_topic_));
+      trouble_.AllWell();
+      if (sharp) Pass(frame);
+    } catch (const std::exception& error) {
+      trouble_.Report(error.what(), SteadyNowS());
+    }
+  }
+
+  bool IsSharp(const sensor_msgs::Image& message, const cv::Mat& rgb) {
+    if (message.header.stamp < last_stamp_) filter_.emplace(config_.filter);  // a bag restarted
+    last_stamp_ = message.header.stamp;
+    const BlurDecision decision = filter_->Judge(rgb);
+    BlurScore score;
+    score.header = message.header;
+    score.score = decision.score;
+    score.threshold = decision.threshold;
+    score.kept = static_cast<std::uint8_t>(decision.keep);
+    score.reason = ToString(decision.reason);
+    score.frames_seen = static_cast<std::uint64_t>(filter_->counts().seen);
+    score.frames_dropped = static_cast<std::uint64_t>(filter_->counts().dropped);
+    score_.publish(score);
+    return decision.keep;
+  }
+
+  void Pass(const RgbdMessages& frame) {
+    if (frame.info) info_.publish(frame.info);
+    depth_.publish(frame.depth);
+    rgb_.publish(frame.rgb);
+  }
+
+  BlurFilterNodeletConfig config_;
+  std::optional<BlurFilter> filter_;
+  ros::Time last_stamp_;
+  std::string rgb_topic_;  ///< resolved
+  TroubleLog trouble_{5, [this](const std::string& text) { NODELET_ERROR_STREAM(text); },
+                      [this](const std::string& text) { NODELET_INFO_STREAM(text); }};
+  ros::Publisher rgb_;
+  ros::Publisher depth_;
+  ros::Publisher info_;
+  ros::Publisher score_;
+  std::unique_ptr<RgbdSubscriber> subscriber_;  // last: no frame comes while the rest ends
+};
+
+}  // namespace posefusion
+
+PLUGINLIB_EXPORT_CLASS(posefusion::BlurFilterNodelet, nodelet::Nodelet)

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <string>
+
+#include "posefusion/pipeline/slam_config.h"
+#include "posefusion_ros/nodelets/input_config.h"
+
+namespace posefusion {
+
+/// Frame names; slashes are allowed. The camera frame is the one in the header of the images.
+struct FramesConfig {
+  std::string map_frame = "map";
+};
+
+template <class V>
+void Describe(V& v, FramesConfig& c) {
+  v.Field("map_frame", c.map_frame);
+}
+
+/// What the Mapping nodelet does besides tracking and fusing.
+struct MappingRosConfig {
+  InputConfig input;
+  /// The topics under sharp/ carry only pairs, as BlurFilter sends them. Set to false when they
+  /// are remapped to a camera driver.
+  bool input_is_paired = true;
+  bool images_are_rectified =
+      false;            ///< by the driver, though camera_info has distortion: P is used
+  int queue_size = 5;   ///< frames that may wait for tracking; the oldest is dropped
+  int num_threads = 2;  ///< for tracking and fusion
+  double reset_after_jump_back_s = 0.5;  ///< stamps this far back mean that a bag was restarted
+  bool publish_tf = true;                ///< map -> camera
+  double path_period_s = 0.5;            ///< between messages on `path`
+  double surfel_cloud_period_s = 2.0;    ///< between messages on `surfel_cloud`
+  double model_image_period_s = 0.1;     ///< between messages on `model/image`
+  std::string output_dir;  ///< trajectory.txt and map.ply are saved here at the end; "" = nowhere
+};
+
+template <class V>
+void Describe(V& v, MappingRosConfig& c) {
+  v.Group("input", c.input);
+  v.Field("input_is_paired", c.input_is_paired);
+  v.Field("images_are_rectified", c.images_are_rectified);
+  v.Field("queue_size", c.queue_size, 1, 1000);
+  v.Field("num_threads", c.num_threads, 1, 64);
+  v.Field("reset_after_jump_back_s", c.reset_after_jump_back_s, 0.0, 3600.0);
+  v.Field("publish_tf", c.publish_tf);
+  v.Field("path_period_s", c.path_period_s, 0.0, 3600.0);
+  v.Field("surfel_cloud_period_s", c.surfel_cloud_period_s, 0.0, 3600.0);
+  v.Field("model_image_period_s", c.model_image_period_s, 0.0, 3600.0);
+  v.Field("output_dir", c.output_dir);
+}
+
+/// All parameters of the Mapping nodelet: the core's own keys beside the groups of this side.
+struct MappingConfig {
+  MappingRosConfig ros;
+  FramesConfig frames;
+  SlamConfig slam;
+};
+
+template <class V>
+void Describe(V& v, MappingConfig& c) {
+  v.Group("ros", c.ros);
+  v.Group("frames", c.frames);
+  Describe(v, c.slam);
+}
+
+}  // namespace posefusion

@@ -1,0 +1,102 @@
+#include "posefusion_ros/nodelets/mapping_worker.h"
+
+#include <exception>
+#include <utility>
+
+#include "posefusion_ros/conversions.h"
+
+namespace posefusion {
+namespace {
+
+constexpr double kLogPeriodS = 5;
+constexpr std::chrono::milliseconds kIdlePeriod(100);
+
+std::size_t QueueCapacity(const MappingRosConfig& config) {
+  return config.input.lossless ? 0 : static_cast<std::size_t>(config.queue_size);
+}
+
+}  // namespace
+
+MappingWorker::MappingWorker(const MappingConfig& config, RgbdTopics topics, Callbacks callbacks)
+    : config_(config.ros),
+      topics_(std::move(topics)),
+      callbacks_(std::move(callbacks)),
+      slam_(config.slam, config.ros.num_threads),
+      trouble_(kLogPeriodS, callbacks_.log_error, callbacks_.log_info),
+      queue_(QueueCapacity(config.ros)) {
+  thread_ = std::thread([this] { Run(); });
+}
+
+MappingWorker::~MappingWorker() {
+  queue_.Close();
+  thread_.join();
+}
+
+void MappingWorker::Run() {
+  while (!queue_.closed()) {
+    const auto messages = queue_.PopFor(kIdlePeriod);
+    bool worked = false;
+    Guarded([&] { worked = messages && Work(*messages); });
+    if (!worked) Guarded([&] { callbacks_.idle(slam_, CurrentCounts()); });
+  }
+  Guarded([&] { callbacks_.finish(slam_); });
+}
+
+void MappingWorker::Guarded(const std::function<void()>& step) {
+  try {
+    step();
+  } catch (const std::exception& error) {
+    Refuse(error.what());
+  }
+}
+
+bool MappingWorker::Work(const RgbdMessages& messages) {
+  const RgbdFrame frame = ToRgbdFrame(messages, config_.images_are_rectified, topics_);
+  if (!IsInOrder(frame.stamp_ns)) return false;
+  FrameResult result;
+  try {
+    result = slam_.ProcessFrame(frame);
+  } catch (const std::invalid_argument& error) {
+    Refuse(topics_.rgb + ", " + topics_.depth + ", " + topics_.info + ": " + error.what());
+    return false;
+  }
+  last_stamp_ns_ = frame.stamp_ns;
+  ++counts_.processed;
+  if (result.HasPose()) ++counts_.tracked;
+  trouble_.AllWell();
+  callbacks_.frame(slam_, result, messages.rgb->header, CurrentCounts());
+  return true;
+}
+
+bool MappingWorker::IsInOrder(StampNs stamp_ns) {
+  if (stamp_ns > last_stamp_ns_) return true;
+  const double back_s = SecondsBetween(stamp_ns, last_stamp_ns_);
+  if (back_s < config_.reset_after_jump_back_s) {
+    Refuse(topics_.rgb + ": stamp " + FormatStamp(stamp_ns) + " is not after the one before");
+    return false;
+  }
+  callbacks_.log_info("time went back by " + std::to_string(back_s) +
+                      " s (a bag restarted?): " + "map and poses start anew");
+  slam_.Reset();
+  const std::size_t resets = counts_.resets + 1;
+  counts_ = {};
+  counts_.resets = resets;
+  last_stamp_ns_ = -1;
+  callbacks_.reset();
+  return true;
+}
+
+MappingCounts MappingWorker::CurrentCounts() const {
+  MappingCounts counts = counts_;
+  counts.dropped = queue_.num_dropped();
+  counts.queue_length = queue_.size();
+  counts.trouble = trouble_.trouble();
+  return counts;
+}
+
+void MappingWorker::Refuse(const std::string& text) {
+  ++counts_.refused;
+  trouble_.Report(text, SteadyNowS());
+}
+
+}  // namespace posefusion

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <thread>
+
+#include "posefusion/pipeline/slam.h"
+#include "posefusion_ros/bounded_queue.h"
+#include "posefusion_ros/frame_assembler.h"
+#include "posefusion_ros/nodelets/mapping_config.h"
+#include "posefusion_ros/trouble_log.h"
+
+namespace posefusion {
+
+/// How things stand, since the start or the last reset.
+struct MappingCounts {
+  std::size_t processed = 0;
+  std::size_t tracked = 0;
+  std::size_t refused = 0;
+  std::size_t dropped = 0;  ///< since the start
+  std::size_t resets = 0;
+  std::size_t queue_length = 0;
+  std::string trouble;  ///< why the last frame could not be used; empty when it could
+};
+
+/// Runs Slam on its own thread behind a bounded queue. Whoever makes it gets called back on that
+/// thread, which is the only one that touches Slam.
+class MappingWorker {
+ public:
+  struct Callbacks {
+    /// After each frame given to Slam.
+    std::function<void(const Slam&, const FrameResult&, const std_msgs::Header& rgb_header,
+                       const MappingCounts&)>
+        frame;
+    /// Several times a second while no good frame comes.
+    std::function<void(const Slam&, const MappingCounts&)> idle;
+    std::function<void()> reset;  ///< map and poses have been forgotten
+    /// At the end, after the last frame.
+    std::function<void(const Slam&)> finish;
+    TroubleLog::Sink log_error;
+    TroubleLog::Sink log_info;
+  };
+
+  /// `topics` are the resolved names, for error messages.
+  /// @throws std::invalid_argument naming the key for a value out of range.
+  MappingWorker(const MappingConfig& config, RgbdTopics topics, Callbacks callbacks);
+
+  /// Stops after the frame in work; frames that wait are forgotten.
+  ~MappingWorker();
+
+  /// Thread-safe; returns at once.
+  void Push(RgbdMessages messages) { queue_.Push(std::move(messages)); }
+
+ private:
+  void Run();
+  /// Lets no exception through: it is counted and told instead.
+  void Guarded(const std::function<void()>& step);
+  /// False when the frame was not given to Slam.
+  bool Work(const RgbdMessages& messages);
+  bool IsInOrder(StampNs stamp_ns);
+  MappingCounts CurrentCounts() const;
+  void Refuse(const std::string& text);
+
+  const MappingRosConfig config_;
+  const RgbdTopics topics_;
+  const Callbacks callbacks_;
+  Slam slam_;
+  TroubleLog trouble_;
+  MappingCounts counts_;
+  StampNs last_stamp_ns_ = -1;
+  BoundedQueue<RgbdMessages> queue_;
+  std::thread thread_;
+};
+
+}  // namespace posefusion

@@ -1,0 +1,27 @@
+#pragma once
+
+namespace posefusion {
+
+/// Every topic of the system in one place. All names are relative, so launch files can put the
+/// nodelets into namespaces and remap.
+
+// From the camera driver or a bag.
+constexpr const char* kCameraRgbTopic = "camera/rgb/image_rect_color";
+constexpr const char* kCameraDepthTopic = "camera/depth_registered/image_rect";
+constexpr const char* kCameraInfoTopic = "camera/rgb/camera_info";
+
+// From BlurFilter: the same messages, without the blurred ones.
+constexpr const char* kSharpRgbTopic = "sharp/rgb/image_rect_color";
+constexpr const char* kSharpDepthTopic = "sharp/depth_registered/image_rect";
+constexpr const char* kSharpInfoTopic = "sharp/rgb/camera_info";
+constexpr const char* kBlurScoreTopic = "blur_score";
+
+// From Mapping.
+constexpr const char* kHeadPoseTopic = "head_pose";
+constexpr const char* kOdometryTopic = "odometry";
+constexpr const char* kPathTopic = "path";
+constexpr const char* kStatusTopic = "status";
+constexpr const char* kSurfelCloudTopic = "surfel_cloud";
+constexpr const char* kModelImageTopic = "model/image";
+
+}  // namespace posefusion

@@ -1,0 +1,52 @@
+#include "posefusion_ros/topic_watchdog.h"
+
+#include <cstdio>
+#include <utility>
+
+namespace posefusion {
+namespace {
+
+std::string SecondsText(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.0f s", seconds);
+  return text;
+}
+
+}  // namespace
+
+TopicWatchdog::TopicWatchdog(std::vector<std::string> topics, double limit_s, double now_s)
+    : topics_(std::move(topics)),
+      limit_s_(limit_s),
+      start_s_(now_s),
+      last_message_s_(topics_.size()),
+      last_frame_s_(now_s),
+      last_complaint_s_(now_s) {}
+
+std::string TopicWatchdog::SilentTopics(double now_s) const {
+  std::string text;
+  for (std::size_t i = 0; i < topics_.size(); ++i) {
+    const double silent_s = now_s - last_message_s_[i].value_or(start_s_);
+    if (silent_s < limit_s_) continue;
+    if (!text.empty()) text += ", ";
+    text += topics_[i] + " (" +
+            (last_message_s_[i] ? "silent for " + SecondsText(silent_s) : "nothing ever came") +
+            ")";
+  }
+  return text;
+}
+
+std::optional<std::string> TopicWatchdog::Complaint(double now_s,
+                                                    std::optional<double> closest_miss_s) {
+  if (now_s - last_frame_s_ < limit_s_ || now_s - last_complaint_s_ < limit_s_) return {};
+  last_complaint_s_ = now_s;
+  const std::string silent = SilentTopics(now_s);
+  if (!silent.empty()) return "no data on " + silent;
+  std::string text = "messages come on all topics but their stamps do not fit together";
+  if (closest_miss_s) {
+    text += "; the closest colour and depth are " +
+            std::to_string(static_cast<int>(*closest_miss_s * 1000)) + " ms apart";
+  }
+  return text;
+}
+
+}  // namespace posefusion

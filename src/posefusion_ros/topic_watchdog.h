@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace posefusion {
+
+/// Finds out which topic keeps frames from coming together. Times are seconds of a steady clock.
+/// Not thread-safe.
+class TopicWatchdog {
+ public:
+  /// `topics` are the resolved names.
+  TopicWatchdog(std::vector<std::string> topics, double limit_s, double now_s);
+
+  void NoteMessage(std::size_t topic, double now_s) { last_message_s_[topic] = now_s; }
+  void NoteFrame(double now_s) { last_frame_s_ = now_s; }
+
+  /// One line at most every `limit_s`: each topic that has been silent for `limit_s`, or, when all
+  /// of them speak but no frame comes out, that their stamps do not fit. `closest_miss_s` is the
+  /// smallest difference between the stamps of colour and depth that wait for each other.
+  std::optional<std::string> Complaint(double now_s, std::optional<double> closest_miss_s);
+
+ private:
+  std::string SilentTopics(double now_s) const;
+
+  const std::vector<std::string> topics_;
+  const double limit_s_;
+  const double start_s_;
+  std::vector<std::optional<double>> last_message_s_;
+  double last_frame_s_;
+  double last_complaint_s_;
+};
+
+}  // namespace posefusion

@@ -1,0 +1,63 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "posefusion/dataset/prefetched_source.h"
+#include "posefusion/dataset/tum_folder_source.h"
+#include "posefusion_ros/bag_writer.h"
+#include "tools/interrupt.h"
+#include "tools/progress.h"
+
+namespace {
+
+constexpr int kUsageError = 2;
+constexpr int kOtherError = 1;
+constexpr const char* kCameraFrame = "camera_rgb_optical_frame";
+
+/// Returns the number of frames written; what an interrupt cuts off is left out.
+int WriteBag(const std::string& folder, const std::string& bag) {
+  posefusion::PrefetchedSource source(std::make_unique<posefusion::TumFolderSource>(folder));
+  posefusion::BagWriter writer(bag, kCameraFrame);
+  posefusion::Progress progress(bag, source.NumFrames());
+  int num_frames = 0;
+  while (!posefusion::interrupted) {
+    const auto frame = source.Next();
+    if (!frame) break;
+    writer.Write(*frame);
+    progress.Update(++num_frames);
+  }
+  if (num_frames == 0) throw std::runtime_error(folder + ": no frame has been written");
+  progress.Finish();
+  writer.Close();
+  if (posefusion::interrupted)
+    std::fprintf(stderr, "interrupted; the bag holds what was written\n");
+  return num_frames;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "Turns a folder in the format of the TUM RGB-D benchmark into a rosbag: colour rgb8, "
+      "depth 32FC1 in metres, camera_info with the distortion, stamps as they are.");
+  std::string folder;
+  std::string bag;
+  app.add_option("DIR", folder, "folder with rgb.txt, depth.txt and camera.yaml")->required();
+  app.add_option("FILE.bag", bag, "the bag; replaced if it exists")->required();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : kUsageError;
+  }
+  try {
+    posefusion::CatchInterrupts();
+    WriteBag(folder, bag);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "dataset_to_bag: %s\n", error.what());
+    return kOtherError;
+  }
+  return posefusion::interrupted ? kOtherError : 0;
+}

@@ -1,0 +1,103 @@
+#include "test/ros/nodelet_graph.h"
+
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+
+#include <boost/make_shared.hpp>
+
+#include "posefusion_ros/conversions.h"
+#include "posefusion_ros/topic_names.h"
+#include "test/ros/synthetic_room.h"
+
+namespace posefusion {
+namespace {
+
+constexpr double kTimeoutS = 10;
+constexpr double kPollS = 0.005;
+constexpr int kQueueSize = 100;
+/// Between the messages of a bag: long enough for nodelets to get them in the same order.
+const ros::WallDuration kSlowly(0.002);
+
+}  // namespace
+
+NodeletGraph::NodeletGraph()
+    : rgb_(node_.advertise<sensor_msgs::Image>(kCameraRgbTopic, kQueueSize)),
+      depth_(node_.advertise<sensor_msgs::Image>(kCameraDepthTopic, kQueueSize)),
+      info_(node_.advertise<sensor_msgs::CameraInfo>(kCameraInfoTopic, kQueueSize)) {}
+
+bool NodeletGraph::Start() {
+  status_subscriber_ =
+      node_.subscribe<Status>(kStatusTopic, kQueueSize, [this](const StatusConstPtr& status) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        status_ = *status;
+      });
+  loader_.emplace(false);
+  const nodelet::M_string remappings;
+  if (!loader_->load("/blur_filter", "posefusion/BlurFilter", remappings, {})) return false;
+  if (!loader_->load("/mapping", "posefusion/Mapping", remappings, {})) return false;
+  while (ros::ok() && (rgb_.getNumSubscribers() == 0 || depth_.getNumSubscribers() == 0 ||
+                       info_.getNumSubscribers() == 0)) {
+    ros::WallDuration(kPollS).sleep();
+  }
+  return true;
+}
+
+void NodeletGraph::Stop() {
+  if (loader_) loader_->clear();
+  loader_.reset();
+  status_subscriber_.shutdown();
+  ros::param::del("/blur_filter");
+  ros::param::del("/mapping");
+  status_ = {};
+}
+
+void NodeletGraph::Publish(const RgbdMessages& frame) {
+  if (frame.info) info_.publish(frame.info);
+  rgb_.publish(frame.rgb);
+  depth_.publish(frame.depth);
+}
+
+void NodeletGraph::PublishInBagOrder(const std::string& path) {
+  const rosbag::Bag bag(path);
+  for (const rosbag::MessageInstance& message : rosbag::View(bag)) {
+    if (const auto info = message.instantiate<sensor_msgs::CameraInfo>()) info_.publish(info);
+    if (const auto image = message.instantiate<sensor_msgs::Image>()) {
+      const bool is_rgb = message.getTopic() == std::string("/") + kCameraRgbTopic;
+      (is_rgb ? rgb_ : depth_).publish(image);
+    }
+    kSlowly.sleep();
+  }
+}
+
+Status NodeletGraph::status() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return status_;
+}
+
+bool NodeletGraph::WaitFor(const std::function<bool(const Status&)>& condition) {
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kTimeoutS);
+  while (!condition(status())) {
+    if (ros::WallTime::now() > end) return false;
+    ros::WallDuration(kPollS).sleep();
+  }
+  return true;
+}
+
+bool NodeletGraph::WaitForProcessed(std::size_t frames) {
+  return WaitFor([&](const Status& status) { return status.frames_processed >= frames; });
+}
+
+RgbdMessages SyntheticMessages(int index, StampNs start_ns) {
+  const RgbdFrame frame = SyntheticFrame(index, start_ns);
+  std_msgs::Header header;
+  header.frame_id = "camera_rgb_optical_frame";
+  header.stamp = ToRosTime(frame.depth_stamp_ns);
+  RgbdMessages messages;
+  messages.depth = ToDepthMessage(frame.depth_m, header);
+  header.stamp = ToRosTime(frame.stamp_ns);
+  messages.rgb = ToRgb8Message(frame.rgb, header);
+  messages.info = boost::make_shared<sensor_msgs::CameraInfo>(ToCameraInfo(frame.camera, header));
+  return messages;
+}
+
+}  // namespace posefusion

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <nodelet/loader.h>
+#include <posefusion/Status.h>
+#include <ros/ros.h>
+
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "posefusion_ros/frame_assembler.h"
+
+namespace posefusion {
+
+/// BlurFilter and Mapping loaded into this process, with a camera in front of them. Needs a ROS
+/// master and a spinner.
+class NodeletGraph {
+ public:
+  NodeletGraph();
+
+  /// Parameters are set below /blur_filter or /mapping before Start.
+  template <class T>
+  void SetParam(const std::string& name, const T& value) {
+    ros::param::set(name, value);
+  }
+
+  /// Loads both nodelets and waits until they have subscribed. False when one refuses.
+  bool Start();
+
+  /// Unloads the nodelets, which lets Mapping save its results, and forgets their parameters.
+  void Stop();
+
+  void Publish(const RgbdMessages& frame);
+  void PublishInBagOrder(const std::string& bag);
+
+  Status status() const;
+
+  /// Waits for a status that satisfies the condition; false after ten seconds.
+  bool WaitFor(const std::function<bool(const Status&)>& condition);
+  bool WaitForProcessed(std::size_t frames);
+
+  ~NodeletGraph() { Stop(); }
+
+ private:
+  ros::NodeHandle node_;
+  ros::Publisher rgb_;
+  ros::Publisher depth_;
+  ros::Publisher info_;
+  ros::Subscriber status_subscriber_;
+  mutable std::mutex mutex_;
+  Status status_;
+  std::optional<nodelet::Loader> loader_;
+};
+
+/// Messages of SyntheticFrame.
+RgbdMessages SyntheticMessages(int index, StampNs start_ns = 1'000'000'000'000);
+
+}  // namespace posefusion

@@ -1,0 +1,344 @@
+#include "test/ros/nodelet_graph.h"
+
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <posefusion/BlurScore.h>
+#include <sensor_msgs/PointCloud2.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <algorithm>
+#include <boost/make_shared.hpp>
+#include <mutex>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "posefusion/common/atomic_file.h"
+#include "posefusion/dataset/trajectory_file.h"
+#include "posefusion/dataset/tum_folder_source.h"
+#include "posefusion/pipeline/slam.h"
+#include "posefusion_ros/bag_source.h"
+#include "posefusion_ros/bag_writer.h"
+#include "posefusion_ros/conversions.h"
+#include "posefusion_ros/nodelets/blur_filter_config.h"
+#include "posefusion_ros/topic_names.h"
+#include "test/ros/synthetic_room.h"
+#include "test/support/temporary_folder.h"
+#include "test/support/test_data.h"
+
+namespace posefusion {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr StampNs kSecondNs = 1'000'000'000;
+constexpr StampNs kStart = 1000 * kSecondNs;
+
+/// Collects the messages of a topic.
+template <class Message>
+class Recorder {
+ public:
+  explicit Recorder(const std::string& topic) {
+    subscriber_ = ros::NodeHandle().subscribe<Message>(
+        topic, 1000, [this](const boost::shared_ptr<const Message>& message) {
+          const std::lock_guard<std::mutex> lock(mutex_);
+          messages_.push_back(message);
+        });
+  }
+  ~Recorder() { subscriber_.shutdown(); }
+
+  std::vector<boost::shared_ptr<const Message>> messages() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return messages_;
+  }
+  std::size_t size() const { return messages().size(); }
+
+  bool WaitForSize(std::size_t size) const {
+    for (int i = 0; i < 1000 && this->size() < size; ++i) ros::WallDuration(0.01).sleep();
+    return this->size() >= size;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<boost::shared_ptr<const Message>> messages_;
+  ros::Subscriber subscriber_;
+};
+
+/// Depth and colour at one stamp, so that a pair is decided at once.
+RgbdMessages PairedMessages(int index, StampNs start_ns = kStart) {
+  RgbdMessages messages = SyntheticMessages(index, start_ns);
+  auto depth = boost::make_shared<sensor_msgs::Image>(*messages.depth);
+  depth->header.stamp = messages.rgb->header.stamp;
+  messages.depth = depth;
+  return messages;
+}
+
+sensor_msgs::ImagePtr Blurred(const sensor_msgs::Image& image) {
+  const auto copy = boost::make_shared<sensor_msgs::Image>(image);
+  cv::Mat pixels(static_cast<int>(copy->height), static_cast<int>(copy->width), CV_8UC3,
+                 copy->data.data());
+  cv::blur(pixels, pixels, cv::Size(31, 1));
+  return copy;
+}
+
+/// The trajectory file that the core makes of a bag without any nodelet.
+std::string DirectTrajectory(const std::string& bag, const TemporaryFolder& folder) {
+  BagSource source(bag);
+  BlurFilter filter((BlurFilterConfig()));
+  Slam slam(SlamConfig(), 1);
+  while (const auto frame = source.Next()) {
+    if (filter.Judge(frame->rgb).keep) slam.ProcessFrame(*frame);
+  }
+  WriteTrajectory(slam.trajectory(), folder / "direct.txt");
+  return ReadWholeFile(folder / "direct.txt");
+}
+
+/// The one that Mapping saves when the bag has gone through the nodelets.
+std::string GraphTrajectory(const std::string& bag, const TemporaryFolder& folder) {
+  NodeletGraph graph;
+  graph.SetParam("/blur_filter/ros/input/lossless", true);
+  graph.SetParam("/blur_filter/ros/input/flush_after_s", 0.3);
+  graph.SetParam("/mapping/ros/input/lossless", true);
+  graph.SetParam("/mapping/ros/output_dir", folder / "out");
+  EXPECT_TRUE(graph.Start());
+  graph.PublishInBagOrder(bag);
+  EXPECT_TRUE(graph.WaitFor([](const Status& status) { return status.state == "no_data"; }));
+  EXPECT_EQ(graph.status().frames_dropped, 0U);
+  EXPECT_EQ(graph.status().frames_refused, 0U);
+  graph.Stop();
+  return ReadWholeFile(folder / "out/trajectory.txt");
+}
+
+TEST(NodeletGraph, MappingGetsTheVerySameMessages) {
+  NodeletGraph graph;
+  ASSERT_TRUE(graph.Start());
+  const Recorder<sensor_msgs::Image> rgb(kSharpRgbTopic);
+  const Recorder<sensor_msgs::Image> depth(kSharpDepthTopic);
+  const Recorder<sensor_msgs::CameraInfo> info(kSharpInfoTopic);
+  std::vector<RgbdMessages> sent;
+  for (int i = 0; i < 5; ++i) {
+    sent.push_back(PairedMessages(i));
+    graph.Publish(sent.back());
+  }
+  ASSERT_TRUE(rgb.WaitForSize(5) && depth.WaitForSize(5) && info.WaitForSize(5));
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(rgb.messages()[i].get(), sent[i].rgb.get());
+    EXPECT_EQ(depth.messages()[i].get(), sent[i].depth.get());
+    EXPECT_EQ(info.messages()[i].get(), sent[i].info.get());
+  }
+}
+
+TEST(NodeletGraph, BlurredFramesStayOut) {
+  NodeletGraph graph;
+  ASSERT_TRUE(graph.Start());
+  const Recorder<sensor_msgs::Image> rgb(kSharpRgbTopic);
+  const Recorder<BlurScore> score(kBlurScoreTopic);
+  constexpr std::size_t kBlurred = 7;
+  for (std::size_t i = 0; i < 10; ++i) {
+    RgbdMessages frame = PairedMessages(static_cast<int>(i));
+    if (i == kBlurred) frame.rgb = Blurred(*frame.rgb);
+    graph.Publish(frame);
+  }
+  ASSERT_TRUE(score.WaitForSize(10) && rgb.WaitForSize(9));
+  EXPECT_EQ(score.messages()[kBlurred]->kept, 0);
+  EXPECT_EQ(score.messages()[kBlurred]->reason, "blurred");
+  EXPECT_EQ(score.messages()[9]->frames_dropped, 1U);
+  EXPECT_EQ(rgb.size(), 9U);
+}
+
+TEST(NodeletGraph, FedSlowlyGivesTheTrajectoryOfTheCore) {
+  const TemporaryFolder folder;
+  {
+    BagWriter writer(folder / "room.bag", "camera_rgb_optical_frame");
+    for (int i = 0; i < 30; ++i) writer.Write(SyntheticFrame(i));
+    writer.Close();
+  }
+  const std::string direct = DirectTrajectory(folder / "room.bag", folder);
+  EXPECT_EQ(std::count(direct.begin(), direct.end(), '\n'), 31) << "30 poses and a comment";
+  EXPECT_EQ(GraphTrajectory(folder / "room.bag", folder), direct);
+}
+
+TEST(NodeletGraph, FedSlowlyGivesTheTrajectoryOfTheCoreOnRealData) {
+  SKIP_WITHOUT_DATA("fr1_xyz");
+  const TemporaryFolder folder;
+  {
+    TumFolderOptions options;
+    options.max_frames = 40;
+    TumFolderSource source(DataPath("fr1_xyz"), options);
+    BagWriter writer(folder / "fr1.bag", "camera_rgb_optical_frame");
+    while (const auto frame = source.Next()) writer.Write(*frame);
+    writer.Close();
+  }
+  const std::string direct = DirectTrajectory(folder / "fr1.bag", folder);
+  EXPECT_EQ(GraphTrajectory(folder / "fr1.bag", folder), direct);
+}
+
+TEST(NodeletGraph, PublishesPoseAndCloudAtTheImageStamp) {
+  NodeletGraph graph;
+  graph.SetParam("/mapping/frames/map_frame", "robot/map");
+  ASSERT_TRUE(graph.Start());
+  const Recorder<tf2_msgs::TFMessage> tf("/tf");
+  const Recorder<geometry_msgs::PoseWithCovarianceStamped> pose(kHeadPoseTopic);
+  const Recorder<sensor_msgs::PointCloud2> cloud(kSurfelCloudTopic);
+  ros::WallDuration(0.5).sleep();  // tf comes over a socket, which takes a moment to connect
+  const RgbdMessages frame = PairedMessages(0);
+  graph.Publish(frame);
+  ASSERT_TRUE(graph.WaitForProcessed(1));
+  ASSERT_TRUE(pose.WaitForSize(1) && tf.WaitForSize(1) && cloud.WaitForSize(1));
+  EXPECT_EQ(pose.messages()[0]->header.stamp, frame.rgb->header.stamp);
+  EXPECT_EQ(pose.messages()[0]->header.frame_id, "robot/map");
+  const auto& transform = tf.messages()[0]->transforms.at(0);
+  EXPECT_EQ(transform.header.stamp, frame.rgb->header.stamp);
+  EXPECT_EQ(transform.header.frame_id, "robot/map");
+  EXPECT_EQ(transform.child_frame_id, frame.rgb->header.frame_id);
+  EXPECT_EQ(cloud.messages()[0]->header.frame_id, "robot/map");
+}
+
+/// Mapping alone sees what BlurFilter would keep from it.
+class BadInput : public testing::Test {
+ protected:
+  BadInput() {
+    graph_.SetParam("/blur_filter/enabled", false);
+    EXPECT_TRUE(graph_.Start());
+  }
+
+  RgbdMessages Good() { return PairedMessages(next_index_++); }
+
+  /// Publishes and waits until Mapping has refused it.
+  void ExpectRefused(const RgbdMessages& frame, const std::string& why) {
+    const Status before = graph_.status();
+    graph_.Publish(frame);
+    EXPECT_TRUE(graph_.WaitFor([&](const Status& status) {
+      return status.frames_refused > before.frames_refused;
+    })) << why;
+    EXPECT_THAT(graph_.status().detail, HasSubstr(why));
+    EXPECT_EQ(graph_.status().frames_processed, before.frames_processed);
+  }
+
+  void ExpectTracked(const RgbdMessages& frame) {
+    const auto before = graph_.status().frames_tracked;
+    graph_.Publish(frame);
+    EXPECT_TRUE(graph_.WaitFor([&](const Status& status) {
+      return status.frames_tracked == before + 1;
+    })) << graph_.status().state
+        << ": " << graph_.status().detail;
+    EXPECT_EQ(graph_.status().state, "tracking");
+  }
+
+  NodeletGraph graph_;
+  int next_index_ = 0;
+};
+
+TEST_F(BadInput, UnusableImagesAreRefusedByNameAndGoodOnesGoOn) {
+  ExpectTracked(Good());
+
+  RgbdMessages unknown = Good();
+  auto rgb = boost::make_shared<sensor_msgs::Image>(*unknown.rgb);
+  rgb->encoding = "yuv422";
+  unknown.rgb = rgb;
+  ExpectRefused(unknown, "/sharp/rgb/image_rect_color: colour encoding 'yuv422'");
+  ExpectTracked(Good());
+
+  RgbdMessages other_size = Good();
+  auto depth = boost::make_shared<sensor_msgs::Image>(*other_size.depth);
+  depth->height /= 2;
+  other_size.depth = depth;
+  ExpectRefused(other_size, "/sharp/depth_registered/image_rect");
+  ExpectTracked(Good());
+
+  RgbdMessages uncalibrated = Good();
+  auto info = boost::make_shared<sensor_msgs::CameraInfo>(*uncalibrated.info);
+  info->K.fill(0);
+  uncalibrated.info = info;
+  ExpectRefused(uncalibrated, "/sharp/rgb/camera_info: the camera is not calibrated");
+  ExpectTracked(Good());
+}
+
+TEST_F(BadInput, MissingCameraInfoIsToldAndRecoveredFrom) {
+  for (int i = 0; i < 15; ++i) {
+    RgbdMessages frame = Good();
+    frame.info = nullptr;
+    graph_.Publish(frame);
+  }
+  EXPECT_TRUE(graph_.WaitFor([](const Status& status) { return status.frames_refused > 0; }));
+  EXPECT_THAT(graph_.status().detail, HasSubstr("/sharp/rgb/camera_info: no camera_info has come"));
+  EXPECT_EQ(graph_.status().state, "waiting");
+  graph_.Publish(Good());
+  EXPECT_TRUE(graph_.WaitForProcessed(1));
+}
+
+TEST_F(BadInput, NoPoseIsPublishedWhileLost) {
+  const Recorder<geometry_msgs::PoseWithCovarianceStamped> pose(kHeadPoseTopic);
+  const Recorder<tf2_msgs::TFMessage> tf("/tf");
+  ros::WallDuration(0.5).sleep();
+  ExpectTracked(Good());
+  ASSERT_TRUE(pose.WaitForSize(1) && tf.WaitForSize(1));
+
+  RgbdMessages no_depth = Good();
+  auto depth = boost::make_shared<sensor_msgs::Image>(*no_depth.depth);
+  std::fill(depth->data.begin(), depth->data.end(), 0);
+  no_depth.depth = depth;
+  graph_.Publish(no_depth);
+  EXPECT_TRUE(graph_.WaitFor([](const Status& status) { return status.state == "lost"; }));
+  EXPECT_EQ(graph_.status().frames_lost, 1U);
+  EXPECT_NE(graph_.status().detail, "");
+
+  ExpectTracked(Good());
+  ASSERT_TRUE(pose.WaitForSize(2) && tf.WaitForSize(2));
+  EXPECT_EQ(pose.size(), 2U);
+  EXPECT_EQ(tf.size(), 2U);
+}
+
+TEST_F(BadInput, RestartedBagResetsOnce) {
+  for (int i = 0; i < 3; ++i) ExpectTracked(PairedMessages(i));
+  for (int i = 0; i < 3; ++i) {
+    graph_.Publish(PairedMessages(i, kStart - 100 * kSecondNs));
+    EXPECT_TRUE(graph_.WaitFor([&](const Status& status) {
+      return status.resets == 1 && status.frames_processed == static_cast<std::uint64_t>(i + 1);
+    }));
+  }
+  EXPECT_EQ(graph_.status().frames_tracked, 3U);
+}
+
+TEST(NodeletGraph, WrongParametersStopTheStart) {
+  NodeletGraph unknown;
+  unknown.SetParam("/mapping/ros/no_such_key", 1);
+  EXPECT_FALSE(unknown.Start());
+  unknown.Stop();
+  unknown.SetParam("/blur_filter/threshold", -1.0);
+  EXPECT_FALSE(unknown.Start());
+  unknown.Stop();
+  unknown.SetParam("/mapping/ros/output_dir", std::string("/proc/nowhere"));
+  EXPECT_FALSE(unknown.Start());
+}
+
+TEST(NodeletGraph, BusyMappingDropsTheOldestAndCounts) {
+  NodeletGraph graph;
+  graph.SetParam("/blur_filter/enabled", false);
+  graph.SetParam("/mapping/ros/queue_size", 1);
+  ASSERT_TRUE(graph.Start());
+  constexpr std::uint64_t kNumFrames = 60;
+  std::vector<RgbdMessages> frames;
+  for (std::uint64_t i = 0; i < kNumFrames; ++i)
+    frames.push_back(PairedMessages(static_cast<int>(i)));
+  for (const auto& frame : frames) {
+    graph.Publish(frame);
+    ros::WallDuration(0.0005).sleep();
+  }
+  EXPECT_TRUE(graph.WaitFor([](const Status& status) { return status.state == "no_data"; }));
+  EXPECT_GT(graph.status().frames_dropped, 0U);
+  EXPECT_LE(graph.status().frames_processed + graph.status().frames_dropped, kNumFrames);
+  EXPECT_EQ(graph.status().header.stamp, frames.back().rgb->header.stamp) << "the newest is kept";
+}
+
+}  // namespace
+}  // namespace posefusion
+
+int main(int argc, char** argv) {
+  testing::InitGoogleMock(&argc, argv);
+  ros::init(argc, argv, "nodelet_graph_test");
+  ros::NodeHandle keep_alive;
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  return RUN_ALL_TESTS();
+}
