@@ -1,0 +1,70 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+
+#include "posefusion/simulation/hash_random.h"
+#include "posefusion/simulation/smooth_noise.h"
+
+namespace posefusion {
+
+/// How a biped's body moves while it steps on the spot or forward; amplitudes are half of the whole
+/// way. Sway and period are those of preview-control walking (Kajita et al. 2003). Hardness of
+/// touchdowns is such that the share of blurred frames is that of HRP-4's own recordings: 3 to 5 %,
+/// table I of the paper.
+struct GaitConfig {
+  double step_s = 0.8;          ///< from one touchdown to the next
+  double sway_m = 0.03;         ///< sideways, period of two steps
+  double bob_m = 0.008;         ///< vertical, once per step
+  double double_bob_m = 0.004;  ///< vertical, twice per step (flat feet lift and land)
+  double roll_rad = 0.018;      ///< with the sway
+  double pitch_rad = 0.008;     ///< once per step
+  double yaw_rad = 0.02;        ///< of the waist, period of two steps
+  double strike_rad = 0.027;    ///< pitch after a typical touchdown; roll has half of it
+  double strike_m = 0.003;      ///< vertical after a typical touchdown
+  double strike_spread = 0.35;  ///< deviation of the logarithm of a touchdown's hardness
+  double strike_hz = 8;         ///< lowest elastic mode of legs and trunk
+  double strike_decay_per_s = 7;
+};
+
+/// The body's motion relative to a footprint that moves evenly. Pure functions of time.
+class Gait {
+ public:
+  Gait(const GaitConfig& config, int seed);
+
+  const GaitConfig& config() const { return config_; }
+
+  /// Sway and bob as the joints command them (known to the robot), scaled by `strength` (0 stands,
+  /// 1 walks). Frame of BODY of a robot that stands.
+  Eigen::Isometry3d T_standing_stepping(double time_s, double strength) const;
+
+  /// Elastic shaking after touchdowns, which joint encoders do not see. `strength_at` tells how
+  /// strongly the robot walks at a time.
+  template <class StrengthAt>
+  Eigen::Isometry3d T_stepping_shaken(double time_s, const StrengthAt& strength_at) const {
+    constexpr int kRememberedSteps = 5;  // exp(-7 * 5 * 0.8) is nothing
+    const auto last = static_cast<std::int64_t>(std::floor(time_s / config_.step_s));
+    Shaking sum{0, 0, 0};
+    for (std::int64_t step = last - kRememberedSteps + 1; step <= last; ++step) {
+      const double touchdown_s = static_cast<double>(step) * config_.step_s;
+      AddStrike(step, time_s - touchdown_s, strength_at(touchdown_s), sum);
+    }
+    return ToPose(sum, time_s);
+  }
+
+ private:
+  struct Shaking {
+    double pitch_rad;
+    double roll_rad;
+    double height_m;
+  };
+  void AddStrike(std::int64_t step, double since_s, double strength, Shaking& sum) const;
+  Eigen::Isometry3d ToPose(const Shaking& shaking, double time_s) const;
+
+  GaitConfig config_;
+  HashRandom hardness_;
+  SmoothNoise balance_pitch_;  ///< of a robot that stands: its balance control at work
+  SmoothNoise balance_roll_;
+};
+
+}  // namespace posefusion
