@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 
-#include "posefusion/simulation/hash_random.h"
+#include "posefusion/simulation/indexed_random.h"
 #include "posefusion/simulation/smooth_noise.h"
 
 namespace posefusion {
@@ -62,7 +62,7 @@ class Gait {
   Eigen::Isometry3d ToPose(const Shaking& shaking, double time_s) const;
 
   GaitConfig config_;
-  HashRandom hardness_;
+  IndexedRandom hardness_;
   SmoothNoise balance_pitch_;  ///< of a robot that stands: its balance control at work
   SmoothNoise balance_roll_;
 };

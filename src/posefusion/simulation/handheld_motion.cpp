@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "posefusion/common/lie.h"
-#include "posefusion/simulation/hash_random.h"
+#include "posefusion/simulation/indexed_random.h"
 
 namespace posefusion {
 namespace {
@@ -27,7 +27,7 @@ class Dice {
   bool Chance(double probability) { return random_.Uniform(next_++) < probability; }
 
  private:
-  HashRandom random_;
+  IndexedRandom random_;
   int next_ = 0;
 };
 

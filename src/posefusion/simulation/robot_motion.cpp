@@ -14,7 +14,7 @@ constexpr double kFreezeBeforeFallS = 1.0;
 /// Directions of the gaze; the neck stops while the robot falls and is carried.
 UniformSpline<2> MakeGaze(const Route& route, const WalkPlanConfig& config,
                           const std::vector<Fall>& falls) {
-  const HashRandom random(config.seed, kGazeStream);
+  const IndexedRandom random(config.seed, kGazeStream);
   std::vector<Eigen::Vector2d> samples;
   const int num_samples = 2 + static_cast<int>(config.seconds / kGazeIntervalS);
   for (int i = 0; i < num_samples; ++i) {

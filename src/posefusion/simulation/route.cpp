@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "posefusion/simulation/hash_random.h"
+#include "posefusion/simulation/indexed_random.h"
 
 namespace posefusion {
 namespace {
@@ -17,12 +17,12 @@ const Eigen::Vector2d kEllipse(1.55, 1.25);
 const Eigen::Vector2d kRectangle(2.1, 1.6);
 
 /// 1 for anticlockwise, -1 for clockwise.
-double SenseOf(const HashRandom& random) { return random.Uniform(0) < 0.5 ? 1 : -1; }
+double SenseOf(const IndexedRandom& random) { return random.Uniform(0) < 0.5 ? 1 : -1; }
 
 }  // namespace
 
 Route TableRoute(int seed) {
-  const HashRandom random(seed, kRouteStream);
+  const IndexedRandom random(seed, kRouteStream);
   const double sense = SenseOf(random);
   const double start = kTwoPi * random.Uniform(1);
   Route route;
@@ -37,7 +37,7 @@ Route TableRoute(int seed) {
 }
 
 Route WallRoute(int seed) {
-  const HashRandom random(seed, kRouteStream);
+  const IndexedRandom random(seed, kRouteStream);
   const double sense = SenseOf(random);
   Route route;
   route.points = {kRectangle,

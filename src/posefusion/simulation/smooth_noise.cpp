@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "posefusion/simulation/hash_random.h"
+#include "posefusion/simulation/indexed_random.h"
 
 namespace posefusion {
 namespace {
@@ -15,7 +15,7 @@ constexpr double kMaxEnvelopeHz = 0.15;
 
 SmoothNoise::SmoothNoise(const SmoothNoiseConfig& config, int seed, int stream)
     : burstiness_(config.burstiness) {
-  const HashRandom random(seed, stream);
+  const IndexedRandom random(seed, stream);
   const double range = config.max_frequency_hz / config.min_frequency_hz;
   double power = 0;
   for (int i = 0; i < config.num_waves; ++i) {

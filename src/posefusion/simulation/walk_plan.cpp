@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "posefusion/simulation/easing.h"
-#include "posefusion/simulation/hash_random.h"
+#include "posefusion/simulation/indexed_random.h"
 
 namespace posefusion {
 namespace {
@@ -225,7 +225,7 @@ class Planner {
   const Route& route_;
   const std::vector<Eigen::AlignedBox2d>& obstacles_;
   const WalkPlanConfig config_;
-  const HashRandom random_;
+  const IndexedRandom random_;
   int next_dice_ = 0;
   int num_stops_ = 0;
   Eigen::Vector2d position_;

@@ -8,9 +8,9 @@ namespace posefusion {
 /// Random numbers as a pure function of (seed, stream, index): any of them can be had at any time,
 /// in any order and on any thread, and always comes out the same. The mixing is splitmix64
 /// (Steele, Lea, Flood 2014, "Fast splittable pseudorandom number generators").
-class HashRandom {
+class IndexedRandom {
  public:
-  HashRandom(int seed, int stream)
+  IndexedRandom(int seed, int stream)
       : key_(Mix(Mix(static_cast<std::uint64_t>(static_cast<std::int64_t>(seed))) ^
                  static_cast<std::uint64_t>(static_cast<std::int64_t>(stream)))) {}
 
