@@ -11,6 +11,9 @@
 
 namespace posefusion {
 
+struct Material;
+struct AreaLight;
+
 enum class RoomKind {
   /// One furnished room: x in [-3, 3], y in [-2.5, 2.5], 2.6 m high. A table (1.5 x 0.8 m) with
   /// chairs stands in the middle, furniture of at most 0.45 m depth along the walls: both a loop of
@@ -61,6 +64,8 @@ class World {
   /// Everything that never moves, in the map frame.
   const TriangleMesh& static_mesh() const;
   const std::vector<Eigen::AlignedBox2d>& obstacles() const;
+  const std::vector<Material>& materials() const;  ///< by the numbers in meshes
+  const std::vector<AreaLight>& lights() const;
 
   int num_people() const;
   PersonPose PersonAt(int person, double time_s) const;

@@ -1,0 +1,290 @@
+#include "posefusion/simulation/choreography.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "posefusion/simulation/floor_grid.h"
+#include "posefusion/simulation/hash_random.h"
+
+namespace posefusion {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double kClearance = 0.27;  // half width of a walking body, metres
+constexpr double kToCamera = 0.55;   // nearer to the robot nobody goes
+constexpr double kToOthers = 0.55;
+constexpr double kTurn_s = 0.8;
+constexpr double kPushSpeed = 0.4;  // metres per second
+
+double YawOf(const Vector2d& direction) { return std::atan2(direction.y(), direction.x()); }
+
+/// Plans one person after the other; later ones keep away from earlier ones and from the camera.
+class Planner {
+ public:
+  Planner(const WorldConfig& config, const RoomPlan& plan)
+      : config_(config), plan_(plan), grid_(plan.floor, plan.obstacles, kClearance) {}
+
+  Choreography Plan() {
+    result_.moves.resize(plan_.objects.size());
+    for (int person = 0; person < config_.humans; ++person) PlanPerson(person);
+    if (config_.humans > 0) PlanUnseenMoves();
+    return std::move(result_);
+  }
+
+ private:
+  void PlanPerson(int person);
+  void SitFirst(HashSequence& random);
+  void StandFirst(HashSequence& random);
+  void StandAt(const Vector2d& place, double yaw, double duration_s, Gesture gesture);
+  bool WalkTo(const Vector2d& goal, double speed, Gesture gesture = Gesture::kNone);
+  bool Cross(double speed);
+  bool PushChair();
+  void SitDown(double duration_s, HashSequence& random);
+  void Roam(int person, HashSequence& random);
+  void Leave(HashSequence& random);
+  void PlanUnseenMoves();
+
+  bool Disturbs(const std::vector<Vector2d>& way, double from_s, double duration_s) const;
+  bool IsTaken(const Vector2d& place, double from_s, double to_s, double margin) const;
+  std::optional<Vector2d> FreePlace(HashSequence& random, double duration_s) const;
+
+  const WorldConfig& config_;
+  const RoomPlan& plan_;
+  FloorGrid grid_;
+  Choreography result_;
+  std::vector<Segment> segments_;  ///< of the person being planned
+  double now_s_ = 0;
+  Vector2d here_ = Vector2d::Zero();
+  double yaw_ = 0;
+  bool pushed_ = false;
+};
+
+bool Planner::IsTaken(const Vector2d& place, double from_s, double to_s, double margin) const {
+  for (double t = from_s; t <= to_s; t += 0.25) {
+    if (config_.head) {
+      const Vector3d camera = config_.head->T_map_camera(t).translation();
+      if ((camera.head<2>() - place).norm() < margin) return true;
+    }
+    for (const auto& other : result_.people) {
+      if ((other.FloorAt(t) - place).norm() < kToOthers) return true;
+    }
+  }
+  if (to_s - from_s < 2) return false;
+  return std::any_of(config_.keep_clear.begin(), config_.keep_clear.end(),
+                     [&](const Vector2d& p) { return (p - place).norm() < margin; });
+}
+
+bool Planner::Disturbs(const std::vector<Vector2d>& way, double from_s, double duration_s) const {
+  const double length = LengthOf(way);
+  for (double t = 0.4; t <= duration_s; t += 0.2) {
+    const Vector2d at = PointAlong(way, length * WalkedShare(t / duration_s, duration_s));
+    if (IsTaken(at, from_s + t, from_s + t, kToCamera)) return true;
+  }
+  return false;
+}
+
+std::optional<Vector2d> Planner::FreePlace(HashSequence& random, double duration_s) const {
+  for (int attempt = 0; attempt < 30; ++attempt) {
+    const auto count = static_cast<int>(plan_.places.size());
+    Vector2d place = plan_.places[static_cast<std::size_t>(random.Below(count))];
+    place.x() += static_cast<double>(random.Uniform(-0.25F, 0.25F));
+    place.y() += static_cast<double>(random.Uniform(-0.25F, 0.25F));
+    // In a long corridor people stay near, so that the camera meets them.
+    const double reach = 5 + attempt;
+    if ((place - here_).norm() > reach || (place - here_).norm() < 0.6) continue;
+    if (grid_.IsFree(place) && !IsTaken(place, now_s_ + 3, now_s_ + 3 + duration_s, 0.75)) {
+      return place;
+    }
+  }
+  return std::nullopt;
+}
+
+void Planner::StandAt(const Vector2d& place, double yaw, double duration_s, Gesture gesture) {
+  segments_.push_back({Activity::kStand, now_s_, now_s_ + duration_s, {place}, yaw, gesture});
+  now_s_ += duration_s;
+  here_ = place;
+  yaw_ = yaw;
+}
+
+bool Planner::WalkTo(const Vector2d& goal, double speed, Gesture gesture) {
+  const std::vector<Vector2d> way = grid_.Way(here_, goal);
+  if (way.empty() || LengthOf(way) < 0.3) return false;
+  const double duration = LengthOf(way) / speed + 0.5;
+  const double first_yaw = YawOf(PointAlong(way, 0.3) - way.front());
+  double wait = kTurn_s;
+  while (wait < 9 && Disturbs(way, now_s_ + wait, duration)) wait += 0.4;
+  if (wait >= 9) return false;
+  StandAt(here_, first_yaw, wait, Gesture::kNone);
+  segments_.push_back({Activity::kWalk, now_s_, now_s_ + duration, way, 0, gesture});
+  now_s_ += duration;
+  here_ = goal;
+  yaw_ = YawOf(way.back() - PointAlong(way, LengthOf(way) - 0.3));
+  return true;
+}
+
+/// Walks through the picture of the camera at arm's length from it, from one side to the other.
+bool Planner::Cross(double speed) {
+  if (!config_.head) return false;
+  for (int attempt = 0; attempt < 24; ++attempt) {
+    const double meet_s = now_s_ + 4 + 0.5 * (attempt / 4);
+    const Eigen::Isometry3d T = config_.head->T_map_camera(meet_s);
+    const Vector2d camera = T.translation().head<2>();
+    const Vector2d forward = T.linear().col(2).head<2>().normalized();
+    const Vector2d side = Vector2d(-forward.y(), forward.x()) * (attempt % 2 == 0 ? 1 : -1);
+    const Vector2d middle = camera + (attempt % 4 < 2 ? 0.75 : 0.95) * forward;
+    const Vector2d from = middle + 0.9 * side;
+    const Vector2d to = middle - 0.9 * side;
+    if (!grid_.IsFree(from, to)) continue;
+    const std::vector<Vector2d> approach = grid_.Way(here_, from);
+    if (approach.size() < 2) continue;
+    const double arrive_s = meet_s - 0.9 / speed - 0.25 - 2 * kTurn_s;
+    const double start_s = arrive_s - LengthOf(approach) / 1.2 - 0.5;
+    if (start_s < now_s_ + 0.1 || Disturbs(approach, start_s, arrive_s - start_s)) continue;
+    const double duration = 1.8 / speed + 0.5;
+    if (Disturbs({from, to}, meet_s - duration / 2, duration)) continue;
+    StandAt(here_, YawOf(PointAlong(approach, 0.3) - here_), start_s - now_s_, Gesture::kNone);
+    segments_.push_back({Activity::kWalk, start_s, arrive_s, approach, 0});
+    now_s_ = arrive_s;
+    StandAt(from, YawOf(to - from), meet_s - duration / 2 - arrive_s, Gesture::kNone);
+    segments_.push_back({Activity::kWalk, now_s_, now_s_ + duration, {from, to}, 0});
+    now_s_ += duration;
+    here_ = to;
+    return true;
+  }
+  return false;
+}
+
+bool Planner::PushChair() {
+  const Vector2d from = plan_.objects.front().from.translation().head<2>();
+  const Vector2d to = plan_.objects.front().to.translation().head<2>();
+  const Vector2d behind = (from - to).normalized() * 0.62;
+  if (!WalkTo(from + behind, 1.0)) return false;
+  StandAt(here_, YawOf(-behind), 1.2, Gesture::kPush);
+  const double duration = (to - from).norm() / kPushSpeed + 0.5;
+  segments_.push_back({Activity::kWalk,
+                       now_s_,
+                       now_s_ + duration,
+                       {from + behind, to + behind},
+                       0,
+                       Gesture::kPush});
+  result_.moves.front() = {true, now_s_, now_s_ + duration};
+  now_s_ += duration;
+  here_ = to + behind;
+  StandAt(here_, YawOf(-behind), 1.0, Gesture::kNone);
+  pushed_ = true;
+  return true;
+}
+
+void Planner::SitDown(double duration_s, HashSequence& random) {
+  const Seat& seat = plan_.seats.front();
+  const bool still = random.Below(2) == 0;
+  segments_.push_back({Activity::kSit,
+                       now_s_,
+                       now_s_ + duration_s,
+                       {seat.position},
+                       seat.yaw_rad,
+                       still ? Gesture::kType : Gesture::kTalk,
+                       still});
+  now_s_ += duration_s;
+  StandAt(seat.beside, seat.yaw_rad, 2.2, Gesture::kNone);
+}
+
+void Planner::SitFirst(HashSequence& random) {
+  const Seat& seat = plan_.seats.front();
+  const double duration = std::max(34.0, 0.5 * config_.seconds);
+  segments_.push_back(
+      {Activity::kSit, 0, duration, {seat.position}, seat.yaw_rad, Gesture::kType, true});
+  now_s_ = duration;
+  StandAt(seat.beside, seat.yaw_rad, 2.2 + random.Uniform(), Gesture::kNone);
+}
+
+void Planner::StandFirst(HashSequence& random) {
+  here_ = plan_.places.front();
+  for (int attempt = 0; attempt < 60; ++attempt) {
+    const auto number = random.Below(static_cast<int>(plan_.places.size()));
+    here_ = plan_.places[static_cast<std::size_t>(number)];
+    if (grid_.IsFree(here_) && !IsTaken(here_, 0, 3, 0.8)) break;
+  }
+  StandAt(here_, static_cast<double>(random.Uniform(-3.1F, 3.1F)), random.Uniform(0.6F, 1.6F),
+          Gesture::kNone);
+}
+
+void Planner::Leave(HashSequence& random) {
+  const auto side = static_cast<std::size_t>(random.Below(static_cast<int>(plan_.outside.size())));
+  if (!WalkTo(plan_.outside[side], 1.15)) return;
+  StandAt(here_, yaw_, static_cast<double>(random.Uniform(3, 8)), Gesture::kNone);
+}
+
+void Planner::Roam(int person, HashSequence& random) {
+  const double speed = static_cast<double>(random.Uniform(0.85F, 1.25F));
+  const int what = random.Below(8);
+  if (person == 0 && !pushed_ && now_s_ > 0.3 * config_.seconds && PushChair()) return;
+  if (what <= 2 && Cross(speed)) return;
+  if (what == 3) return Leave(random);
+  const double duration = static_cast<double>(random.Uniform(1.0F, 5.0F));
+  const auto place = FreePlace(random, duration);
+  if (!place || !WalkTo(*place, speed)) {
+    return StandAt(here_, yaw_, 1.0, Gesture::kNone);
+  }
+  const auto gesture = static_cast<Gesture>(random.Below(4));
+  StandAt(here_, yaw_ + static_cast<double>(random.Uniform(-2, 2)), duration, gesture);
+}
+
+void Planner::PlanPerson(int person) {
+  const auto seed = static_cast<std::uint32_t>(config_.seed);
+  HashSequence random(seed, 500, static_cast<std::uint32_t>(person));
+  segments_.clear();
+  now_s_ = 0;
+  pushed_ = false;
+  const BodyShape shape(static_cast<double>(random.Uniform(1.58F, 1.88F)),
+                        static_cast<double>(random.Uniform(0.92F, 1.12F)));
+  if (person == 1) {
+    SitFirst(random);
+  } else {
+    StandFirst(random);
+  }
+  bool has_sat = person != 2;
+  while (now_s_ < config_.seconds) {
+    const Seat& seat = plan_.seats.back();
+    if (!has_sat && now_s_ > 4 && plan_.seats.size() > 1 && WalkTo(seat.beside, 1.0)) {
+      has_sat = true;
+      SitDown(8, random);
+    }
+    Roam(person, random);
+  }
+  result_.shapes.push_back(shape);
+  result_.people.emplace_back(shape, segments_);
+}
+
+/// The other objects change their place while the camera looks elsewhere.
+void Planner::PlanUnseenMoves() {
+  for (std::size_t i = 1; i < plan_.objects.size(); ++i) {
+    const auto unseen = [&](double t) {
+      if (!config_.head) return true;
+      const Eigen::Isometry3d T_camera_map = config_.head->T_map_camera(t).inverse();
+      for (const auto& pose : {plan_.objects[i].from, plan_.objects[i].to}) {
+        const Vector3d p = T_camera_map * pose.translation();
+        if (p.z() > 0.85 * p.norm() && p.norm() < 8) return false;
+      }
+      return true;
+    };
+    const double first = config_.seconds * (0.25 + 0.2 * static_cast<double>(i));
+    for (double t = first; t < config_.seconds; t += 0.2) {
+      if (!unseen(t) || !unseen(t + 0.4)) continue;
+      result_.moves[i] = {true, t + 0.1, t + 0.3};
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+Choreography MakeChoreography(const WorldConfig& config, const RoomPlan& plan) {
+  return Planner(config, plan).Plan();
+}
+
+}  // namespace posefusion
