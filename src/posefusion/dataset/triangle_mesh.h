@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
 namespace posefusion {
@@ -10,6 +11,11 @@ namespace posefusion {
 struct TriangleMesh {
   std::vector<Eigen::Vector3f> vertices;
   std::vector<Eigen::Vector3i> triangles;  ///< indices into `vertices`
+
+  // What a renderer wants besides; empty in meshes from files.
+  std::vector<Eigen::Vector3f> normals;  ///< unit, per vertex, on the visible side
+  std::vector<Eigen::Vector2f> uv;       ///< per vertex, in repeats of the texture
+  std::vector<std::uint8_t> materials;   ///< per triangle, number of a Material
 };
 
 }  // namespace posefusion

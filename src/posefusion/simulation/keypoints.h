@@ -80,4 +80,24 @@ struct KeypointTiming {
 std::optional<double> KeypointArrival(const KeypointTiming& timing, double time_s,
                                       double interval_s, int seed);
 
+template <class V>
+void Describe(V& v, KeypointFaultConfig& c) {
+  v.Field("missed_joint", c.missed_joint, 0.0, 1.0);
+  v.Field("missed_person", c.missed_person, 0.0, 1.0);
+  v.Field("few_joints_factor", c.few_joints_factor, 0.0, 100.0);
+  v.Field("false_person_hz", c.false_person_hz, 0.0, 30.0);
+  v.Field("noise_share", c.noise_share, 0.0, 1.0);
+  v.Field("min_noise_px", c.min_noise_px, 0.0, 100.0);
+  v.Field("outlier", c.outlier, 0.0, 1.0);
+  v.Field("hidden_found", c.hidden_found, 0.0, 1.0);
+  v.Field("fault_seconds", c.fault_seconds, 0.01, 10.0);
+}
+
+template <class V>
+void Describe(V& v, KeypointTiming& c) {
+  v.Field("rate_hz", c.rate_hz, 0.0, 30.0);
+  v.Field("latency_s", c.latency_s, 0.0, 10.0);
+  v.Field("latency_jitter", c.latency_jitter, 0.0, 1.0);
+}
+
 }  // namespace posefusion

@@ -31,8 +31,8 @@ std::vector<LinkPose> HeadChain(const NeckAngles& neck) {
   T_link_optical.linear() = LinkToOptical();
   return {{kRootLink, "CHEST_P_LINK", Offset(0, 0, 0.18)},
           {"CHEST_P_LINK", "CHEST_Y_LINK", Offset(0, 0, 0.01)},
-          {"CHEST_Y_LINK", "NECK_Y_LINK", T_chest_neck},
-          {"NECK_Y_LINK", "NECK_P_LINK", T_neck_head},
+          {"CHEST_Y_LINK", "NECK_Y_LINK", T_chest_neck, true},
+          {"NECK_Y_LINK", "NECK_P_LINK", T_neck_head, true},
           {"NECK_P_LINK", "camera_link", Offset(0.09, 0, 0.12)},
           {"camera_link", kCameraLink, T_link_optical}};
 }

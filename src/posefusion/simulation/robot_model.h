@@ -17,6 +17,7 @@ struct LinkPose {
   std::string parent;
   std::string name;
   Eigen::Isometry3d T_parent_link;
+  bool moves = false;  ///< depends on the neck's angles
 };
 
 /// Names of joints in joint_states.txt and on /joint_states, in the order of JointAngles.

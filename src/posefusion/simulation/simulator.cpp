@@ -63,6 +63,17 @@ std::optional<SimulatedFrame> Simulator::Next() {
   return result;
 }
 
+std::optional<DetectedPeople> DetectKeypoints(const SimulatedFrame& frame,
+                                              const Simulator& simulator) {
+  const SimulationConfig& config = simulator.config();
+  const auto arrival_s =
+      KeypointArrival(config.keypoint_timing, frame.time_s, 1 / kFrameRateHz, config.seed);
+  if (!arrival_s) return std::nullopt;
+  return DetectedPeople{DetectPeople(frame.people, config.keypoint_faults, simulator.camera(),
+                                     frame.time_s, config.seed),
+                        SimulationStamp(*arrival_s)};
+}
+
 cv::Mat QuantizeDepth(const cv::Mat& depth_m) {
   constexpr auto kScale = static_cast<float>(kSimulatedDepthScale);
   constexpr float kMax = std::numeric_limits<std::uint16_t>::max();

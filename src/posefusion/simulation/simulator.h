@@ -61,6 +61,17 @@ class Simulator {
   int next_ = 0;
 };
 
+/// What a pose network found in a frame and when it said so.
+struct DetectedPeople {
+  std::vector<PersonKeypoints> people;
+  StampNs arrival_ns = 0;  ///< the frame's stamp when on time
+};
+
+/// Keypoints of a frame by the fault model and timing of the run; empty for frames that the network
+/// leaves out.
+std::optional<DetectedPeople> DetectKeypoints(const SimulatedFrame& frame,
+                                              const Simulator& simulator);
+
 /// Depth as a PNG of the folder holds it: CV_16UC1 in units of 1 / kSimulatedDepthScale, 0 where
 /// there is none or where it is beyond the largest number (13.1 m).
 cv::Mat QuantizeDepth(const cv::Mat& depth_m);

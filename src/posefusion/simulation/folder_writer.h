@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "posefusion/simulation/events.h"
+#include "posefusion/simulation/simulator.h"
+#include "posefusion/simulation/truth_files.h"
+
+namespace posefusion {
+
+/// Writes a simulated run as a folder in the format of the TUM RGB-D benchmark (rgb/, depth/ in
+/// units of 1/5000 m, rgb.txt, depth.txt, camera.yaml) with its truth: labels/ and keypoints/ by
+/// colour stamp, blur.txt (stamp, pixels), and the files of truth_files.h and robot_files.h.
+///
+/// Everything grows in `<folder>.partial` and gets its name in Close; without Close nothing stays.
+class FolderWriter {
+ public:
+  /// An existing folder must be empty, or with `force` hold a simulated run, which Close replaces.
+  /// @throws std::runtime_error naming the folder and what is wrong with it.
+  FolderWriter(const std::string& folder, bool force);
+  ~FolderWriter();
+  FolderWriter(const FolderWriter&) = delete;
+  FolderWriter& operator=(const FolderWriter&) = delete;
+
+  /// Frames come in their order. @throws std::runtime_error naming a file that cannot be written.
+  void Write(const SimulatedFrame& frame, const Simulator& simulator);
+
+  /// Writes the lists and the truth and gives the folder its name. @throws as Write.
+  void Close(const Simulator& simulator);
+
+ private:
+  std::string PathOf(const std::string& name) const { return partial_ + "/" + name; }
+  void WriteKeypoints(const SimulatedFrame& frame, const Simulator& simulator);
+
+  std::string folder_;
+  std::string partial_;
+  bool complete_ = false;
+  std::string rgb_list_ = "# stamp file\n";
+  std::string depth_list_ = "# stamp file\n";
+  std::string blur_list_ = "# stamp blur_px\n";
+  std::string arrivals_ = "# stamp arrival_stamp\n";
+  std::vector<PeopleAtStamp> people_;
+  OcclusionRecorder occlusions_;
+};
+
+}  // namespace posefusion

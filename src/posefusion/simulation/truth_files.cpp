@@ -1,0 +1,86 @@
+#include "posefusion/simulation/truth_files.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <array>
+#include <cstdio>
+
+#include "posefusion/common/atomic_file.h"
+#include "posefusion/config/config.h"
+#include "posefusion/dataset/mesh_file.h"
+#include "posefusion/simulation/robot_record.h"
+
+namespace posefusion {
+namespace {
+
+std::string MovedObjectsText(const World& world) {
+  std::string text = "# start_stamp end_stamp name dx dy dz\n";
+  for (const MovedObject& object : world.moved_objects()) {
+    std::array<char, 96> offset{};
+    std::snprintf(offset.data(), offset.size(), " %.4f %.4f %.4f\n", object.offset_m.x(),
+                  object.offset_m.y(), object.offset_m.z());
+    text += FormatStamp(SimulationStamp(object.from_s)) + " " +
+            FormatStamp(SimulationStamp(object.to_s)) + " " + object.name + offset.data();
+  }
+  return text;
+}
+
+std::string CameraText(const CameraModel& camera) {
+  std::array<char, 400> text{};
+  const auto& d = camera.distortion;
+  std::snprintf(text.data(), text.size(),
+                "width: %d\nheight: %d\nfx: %.9g\nfy: %.9g\ncx: %.9g\ncy: %.9g\n"
+                "distortion: [%.9g, %.9g, %.9g, %.9g, %.9g]\ndepth_scale: %.9g\n",
+                camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy, d[0], d[1],
+                d[2], d[3], d[4], kSimulatedDepthScale);
+  return text.data();
+}
+
+}  // namespace
+
+PeopleAtStamp PeopleAt(const World& world, double time_s) {
+  PeopleAtStamp moment;
+  moment.stamp_ns = SimulationStamp(time_s);
+  for (int person = 0; person < world.num_people(); ++person) {
+    const PersonPose pose = world.PersonAt(person, time_s);
+    if (!pose.present) continue;
+    for (int part = 0; part < kNumBodyParts; ++part) {
+      const Capsule& capsule = pose.capsules[static_cast<std::size_t>(part)];
+      moment.capsules.push_back({person, part, capsule.from.cast<float>(), capsule.to.cast<float>(),
+                                 static_cast<float>(capsule.radius_m)});
+    }
+  }
+  return moment;
+}
+
+void WriteWorldFiles(const Simulator& simulator, const std::vector<PeopleAtStamp>& people,
+                     const std::vector<SimulationEvent>& occlusions, const std::string& folder) {
+  WriteMesh(simulator.world().static_mesh(), folder + "/world.ply");
+  WriteFileAtomically(folder + "/moved_objects.txt", MovedObjectsText(simulator.world()));
+  WritePeople(people, folder + "/people_capsules.txt");
+  std::vector<SimulationEvent> events = occlusions;
+  if (simulator.mover().robot) {
+    const auto falls = FallEvents(simulator.mover().robot->falls());
+    events.insert(events.end(), falls.begin(), falls.end());
+  }
+  WriteFileAtomically(folder + "/events.txt", FormatEvents(events));
+  WriteFileAtomically(folder + "/camera.yaml", CameraText(simulator.camera()));
+}
+
+void WriteSimulationFile(const Simulator& simulator, const std::string& folder) {
+  const SimulationConfig& config = simulator.config();
+  YAML::Node node;
+  node["preset"] = config.preset;
+  node["humans"] = config.humans;
+  node["seed"] = config.seed;
+  node["seconds"] = config.seconds;
+  node["frames"] = simulator.NumFrames();
+  node["imu_frame"] = simulator.mover().robot ? kRootLink : kCameraLink;
+  node["keypoint_faults"] = ToYaml(config.keypoint_faults);
+  node["keypoint_timing"] = ToYaml(config.keypoint_timing);
+  node["sensor"] = ToYaml(config.sensor);
+  node["version"] = POSEFUSION_VERSION;
+  WriteFileAtomically(folder + "/simulation.yaml", YAML::Dump(node) + "\n");
+}
+
+}  // namespace posefusion

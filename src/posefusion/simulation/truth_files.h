@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "posefusion/dataset/people_file.h"
+#include "posefusion/simulation/events.h"
+#include "posefusion/simulation/simulator.h"
+
+namespace posefusion {
+
+/// Body parts of everybody present at the time of a frame.
+PeopleAtStamp PeopleAt(const World& world, double time_s);
+
+/// Writes what is known about the world into an existing folder:
+///   world.ply              everything that never moves, map frame
+///   moved_objects.txt      start_stamp end_stamp name dx dy dz (metres, map frame)
+///   people_capsules.txt    see people_file.h
+///   events.txt             falls and full occlusions; no pose is expected during them
+///   camera.yaml            of all frames
+/// @throws std::runtime_error naming a file that cannot be written.
+void WriteWorldFiles(const Simulator& simulator, const std::vector<PeopleAtStamp>& people,
+                     const std::vector<SimulationEvent>& occlusions, const std::string& folder);
+
+/// simulation.yaml: what the folder was made from. Written last, it says that the folder is whole.
+void WriteSimulationFile(const Simulator& simulator, const std::string& folder);
+
+}  // namespace posefusion
