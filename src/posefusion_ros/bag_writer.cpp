@@ -60,6 +60,10 @@ void BagWriter::Write(const RgbdFrame& frame) {
   });
 }
 
+void BagWriter::WriteOther(const std::function<void(rosbag::Bag&)>& write) {
+  state_->Guarded([&] { write(state_->bag); });
+}
+
 void BagWriter::Close() {
   state_->Guarded([&] {
     state_->bag.close();

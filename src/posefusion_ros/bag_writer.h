@@ -1,9 +1,14 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
 #include "posefusion/image/rgbd_frame.h"
+
+namespace rosbag {
+class Bag;
+}
 
 namespace posefusion {
 
@@ -20,6 +25,9 @@ class BagWriter {
 
   /// @throws std::runtime_error naming the bag, e.g. when the disk is full.
   void Write(const RgbdFrame& frame);
+
+  /// Lets the caller write messages of other topics. @throws std::runtime_error as Write.
+  void WriteOther(const std::function<void(rosbag::Bag&)>& write);
 
   /// Makes the bag complete and gives it its name. @throws std::runtime_error as Write.
   void Close();

@@ -16,6 +16,7 @@
 #include "posefusion/dataset/prefetched_source.h"
 #include "posefusion/dataset/tum_folder_source.h"
 #include "posefusion/pipeline/offline_run.h"
+#include "posefusion/simulation/sim_source.h"
 #include "posefusion_ros/bag_source.h"
 #include "presets.h"
 #include "progress.h"
@@ -78,6 +79,11 @@ std::unique_ptr<pf::FrameSource> OpenSource(const Arguments& arguments) {
     return std::make_unique<TrimmedSource>(std::make_unique<pf::BagSource>(arguments.source),
                                            arguments.start_s, arguments.max_frames);
   }
+  if (const auto simulation = pf::ParseSimulationName(arguments.source)) {
+    return std::make_unique<TrimmedSource>(
+        std::make_unique<pf::SimSource>(*simulation, arguments.num_threads), arguments.start_s,
+        arguments.max_frames);
+  }
   pf::TumFolderOptions options;
   options.start_s = arguments.start_s;
   options.max_frames = arguments.max_frames;
@@ -121,7 +127,9 @@ int Run(const Arguments& arguments) {
 int main(int argc, char** argv) {
   CLI::App app("Runs posefusion over recorded frames.");
   Arguments arguments;
-  app.add_option("SOURCE", arguments.source, "folder in TUM format, or .bag")->required();
+  app.add_option("SOURCE", arguments.source,
+                 "folder in TUM format, .bag, or sim:PRESET?humans=N&seed=N&seconds=S")
+      ->required();
   app.add_option("--out", arguments.out, "folder for trajectory.txt, map.ply, report.json")
       ->required();
   app.add_option("--preset", arguments.preset, "named settings of config/presets")

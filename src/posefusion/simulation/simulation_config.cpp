@@ -5,6 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "posefusion/config/config.h"
 #include "posefusion/simulation/handheld_motion.h"
 
 namespace posefusion {
@@ -105,6 +106,8 @@ SimulationConfig CheckedConfig(const SimulationConfig& config) {
   CheckRange("humans", checked.humans, 0, kMaxHumans);
   CheckRange("seed", checked.seed, 0, kMaxSeed);
   CheckRange("seconds", checked.seconds, kMinSeconds, kMaxSeconds);
+  CheckRanges("keypoint_faults", checked.keypoint_faults);
+  CheckRanges("keypoint_timing", checked.keypoint_timing);
   checked.sensor.seed = checked.seed;
   return checked;
 }
