@@ -10,7 +10,8 @@ namespace {
 constexpr double kPi = 3.141592653589793;
 constexpr int kHardnessStream = 201;
 constexpr int kBalanceStream = 202;
-constexpr double kStrikePivotM = 0.45;  ///< above BODY: what shakes most is the neck
+constexpr double kTrunkPivotM = 0.45;  ///< above BODY
+constexpr double kBodyShare = 0.3;     ///< of the shaking; the rest is above the trunk
 
 const SmoothNoiseConfig kBalance = {0.0012, 0.3, 1.5, 5, 0.5};
 
@@ -42,21 +43,33 @@ Eigen::Isometry3d Gait::T_standing_stepping(double time_s, double strength) cons
   return T;
 }
 
+Shaking Gait::BalanceAt(double time_s) const {
+  Shaking shaking;
+  shaking.body_rad << balance_roll_.At(time_s), balance_pitch_.At(time_s);
+  return shaking;
+}
+
 void Gait::AddStrike(std::int64_t step, double since_s, double strength, Shaking& sum) const {
   if (strength <= 0) return;
   const double hardness = strength * std::exp(hardness_.Gaussian(step, config_.strike_spread));
   const double ringing = hardness * Ringing(since_s, config_.strike_hz, config_.strike_decay_per_s);
   const double side = step % 2 == 0 ? 1 : -1;
-  sum.pitch_rad += config_.strike_rad * ringing;
-  sum.roll_rad += 0.5 * side * config_.strike_rad * ringing;
+  const Eigen::Vector2d turn_rad = config_.strike_rad * ringing * Eigen::Vector2d(0.5 * side, 1);
+  sum.body_rad += kBodyShare * turn_rad;
+  sum.trunk_rad += (1 - kBodyShare) * turn_rad;
   sum.height_m -= config_.strike_m * ringing;
 }
 
-Eigen::Isometry3d Gait::ToPose(const Shaking& shaking, double time_s) const {
-  Eigen::Isometry3d T(Eigen::Translation3d(0, 0, kStrikePivotM + shaking.height_m));
-  T.linear() = Rotation(shaking.roll_rad + balance_roll_.At(time_s),
-                        shaking.pitch_rad + balance_pitch_.At(time_s), 0);
-  T.translate(Eigen::Vector3d(0, 0, -kStrikePivotM));
+Eigen::Isometry3d Shaking::T_body_shaken() const {
+  Eigen::Isometry3d T(Eigen::Translation3d(0, 0, height_m));
+  T.linear() = Rotation(body_rad.x(), body_rad.y(), 0);
+  return T;
+}
+
+Eigen::Isometry3d Shaking::T_trunk_shaken() const {
+  Eigen::Isometry3d T(Eigen::Translation3d(0, 0, kTrunkPivotM));
+  T.linear() = Rotation(trunk_rad.x(), trunk_rad.y(), 0);
+  T.translate(Eigen::Vector3d(0, 0, -kTrunkPivotM));
   return T;
 }
 

@@ -27,6 +27,19 @@ struct GaitConfig {
   double strike_decay_per_s = 7;
 };
 
+/// What elasticity adds to the commanded posture: of the legs to the body, of the trunk to what is
+/// above it.
+struct Shaking {
+  Eigen::Vector2d body_rad = Eigen::Vector2d::Zero();   ///< roll, pitch about BODY
+  Eigen::Vector2d trunk_rad = Eigen::Vector2d::Zero();  ///< roll, pitch about the upper trunk
+  double height_m = 0;
+
+  /// In the frame of BODY without shaking.
+  Eigen::Isometry3d T_body_shaken() const;
+  /// In the frame of BODY, for everything above the trunk.
+  Eigen::Isometry3d T_trunk_shaken() const;
+};
+
 /// The body's motion relative to a footprint that moves evenly. Pure functions of time.
 class Gait {
  public:
@@ -38,28 +51,23 @@ class Gait {
   /// 1 walks). Frame of BODY of a robot that stands.
   Eigen::Isometry3d T_standing_stepping(double time_s, double strength) const;
 
-  /// Elastic shaking after touchdowns, which joint encoders do not see. `strength_at` tells how
-  /// strongly the robot walks at a time.
+  /// Elastic shaking after touchdowns, which joint encoders do not see, and the balance of a robot
+  /// that stands. `strength_at` tells how strongly the robot walks at a time.
   template <class StrengthAt>
-  Eigen::Isometry3d T_stepping_shaken(double time_s, const StrengthAt& strength_at) const {
+  Shaking ShakingAt(double time_s, const StrengthAt& strength_at) const {
     constexpr int kRememberedSteps = 5;  // exp(-7 * 5 * 0.8) is nothing
     const auto last = static_cast<std::int64_t>(std::floor(time_s / config_.step_s));
-    Shaking sum{0, 0, 0};
+    Shaking sum = BalanceAt(time_s);
     for (std::int64_t step = last - kRememberedSteps + 1; step <= last; ++step) {
       const double touchdown_s = static_cast<double>(step) * config_.step_s;
       AddStrike(step, time_s - touchdown_s, strength_at(touchdown_s), sum);
     }
-    return ToPose(sum, time_s);
+    return sum;
   }
 
  private:
-  struct Shaking {
-    double pitch_rad;
-    double roll_rad;
-    double height_m;
-  };
+  Shaking BalanceAt(double time_s) const;
   void AddStrike(std::int64_t step, double since_s, double strength, Shaking& sum) const;
-  Eigen::Isometry3d ToPose(const Shaking& shaking, double time_s) const;
 
   GaitConfig config_;
   IndexedRandom hardness_;

@@ -12,6 +12,7 @@ namespace {
 constexpr int kSweepStream = 101;
 constexpr int kTremorStream = 110;
 constexpr double kMinSweepS = 0.4;
+constexpr double kHaltS = 0.25;
 
 // Where the camera is held and what it looks at: the near end of the table.
 const Eigen::Vector3d kHeldAt(-1.85, 0.0, 1.42);
@@ -84,7 +85,7 @@ SweepSequence HalfsphereSweeps(int seed, double seconds) {
     point[1] = over_the_top ? dice.Uniform(0.9, 1.2) : dice.Uniform(0.15, 0.6);
     point[2] = dice.Uniform(-0.08, 0.08);
     for (int axis = 3; axis < 6; ++axis) point[axis] = dice.Uniform(-0.03, 0.03);
-    if (over_the_top) point[5] = side * dice.Uniform(1.2, 1.8);
+    if (over_the_top) point[5] = side * dice.Uniform(1.7, 2.4);
     if (!over_the_top) side = -side;
     const Vector6d step = point - sweeps.last();
     const double length = kSphereRadius * std::hypot(step[0] * std::cos(point[1]), step[1]);
@@ -123,6 +124,13 @@ std::vector<SmoothNoise> MakeTremor(HandheldKind kind, int seed) {
   return tremor;
 }
 
+/// The time within the run; before and after it time comes softly to a halt.
+double SoftClamped(double time_s, double seconds) {
+  if (time_s < 0) return -kHaltS * (1 - std::exp(time_s / kHaltS));
+  if (time_s > seconds) return seconds + kHaltS * (1 - std::exp((seconds - time_s) / kHaltS));
+  return time_s;
+}
+
 Eigen::Isometry3d OnSphere(const Vector6d& value) {
   const double radius = kSphereRadius + value[2];
   const Eigen::Vector3d direction(-std::cos(value[1]) * std::cos(value[0]),
@@ -146,7 +154,7 @@ Eigen::Isometry3d LookAt(const Eigen::Vector3d& position, const Eigen::Vector3d&
 HandheldMotion::HandheldMotion(HandheldKind kind, int seed, double seconds)
     : kind_(kind),
       seconds_(seconds),
-      sweeps_(MakeSweeps(kind, seed, seconds)),
+      sweeps_(MakeSweeps(kind, seed, seconds + kHaltS)),
       tremor_(MakeTremor(kind, seed)) {}
 
 Eigen::Isometry3d HandheldMotion::T_map_held(double time_s) const {
@@ -159,7 +167,7 @@ Eigen::Isometry3d HandheldMotion::T_map_held(double time_s) const {
 }
 
 Eigen::Isometry3d HandheldMotion::T_map_camera(double time_s) const {
-  const double t = std::clamp(time_s, 0.0, seconds_);
+  const double t = SoftClamped(time_s, seconds_);
   Vector6d shake;
   for (int axis = 0; axis < 6; ++axis) shake[axis] = tremor_[static_cast<std::size_t>(axis)].At(t);
   return T_map_held(t) * ExpSE3(shake);

@@ -249,7 +249,7 @@ std::string ToOpenPoseJson(const std::vector<PersonKeypoints>& people) {
 
 std::optional<double> KeypointArrival(const KeypointTiming& timing, double time_s,
                                       double interval_s, int seed) {
-  constexpr double kRounding = 1e-6;
+  constexpr double kRounding = 1e-3;  // stamps are rounded
   if (timing.rate_hz > 0) {
     const auto count = [&](double t) { return std::floor(t * timing.rate_hz + kRounding); };
     if (count(time_s) == count(time_s - interval_s)) return std::nullopt;

@@ -65,13 +65,17 @@ Eigen::Isometry3d RobotMotion::T_footprint_measured_body(double time_s) const {
          gait_.T_standing_stepping(time_s, SteppingAt(time_s));
 }
 
+Shaking RobotMotion::ShakingAt(double time_s) const {
+  return gait_.ShakingAt(time_s, [this](double t) { return SteppingAt(t); });
+}
+
 Eigen::Isometry3d RobotMotion::T_map_body(double time_s) const {
   return T_map_footprint(time_s) * T_footprint_measured_body(time_s) *
-         gait_.T_stepping_shaken(time_s, [this](double t) { return SteppingAt(t); });
+         ShakingAt(time_s).T_body_shaken();
 }
 
 Eigen::Isometry3d RobotMotion::T_map_camera(double time_s) const {
-  return T_map_body(time_s) * T_body_camera(NeckAt(time_s));
+  return T_map_body(time_s) * ShakingAt(time_s).T_trunk_shaken() * T_body_camera(NeckAt(time_s));
 }
 
 }  // namespace posefusion

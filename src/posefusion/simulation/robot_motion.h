@@ -19,7 +19,8 @@ class RobotMotion : public HeadMotion {
 
   Eigen::Isometry3d T_map_camera(double time_s) const override;
 
-  /// The true pose of the root link.
+  /// The true pose of the root link. The way from there to the camera is HeadChain but for what the
+  /// trunk gives way.
   Eigen::Isometry3d T_map_body(double time_s) const;
 
   /// On the floor below the robot, x ahead, z up; moves evenly while the robot sways.
@@ -38,6 +39,7 @@ class RobotMotion : public HeadMotion {
 
  private:
   Eigen::Isometry3d T_footprint_tipped(double time_s) const;
+  Shaking ShakingAt(double time_s) const;
 
   WalkPlan plan_;
   Gait gait_;

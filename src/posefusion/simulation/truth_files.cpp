@@ -36,6 +36,20 @@ std::string CameraText(const CameraModel& camera) {
   return text.data();
 }
 
+/// The same with numbers of at most 12 digits: 0.06 for 0.059999999999999998.
+YAML::Node Shortened(const YAML::Node& node) {
+  if (node.IsMap()) {
+    YAML::Node map;
+    for (const auto& entry : node) map[entry.first.as<std::string>()] = Shortened(entry.second);
+    return map;
+  }
+  double number = 0;
+  if (!YAML::convert<double>::decode(node, number)) return node;
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.12g", number);
+  return YAML::Node(std::string(text.data()));
+}
+
 }  // namespace
 
 PeopleAtStamp PeopleAt(const World& world, double time_s) {
@@ -76,9 +90,9 @@ void WriteSimulationFile(const Simulator& simulator, const std::string& folder) 
   node["seconds"] = config.seconds;
   node["frames"] = simulator.NumFrames();
   node["imu_frame"] = simulator.mover().robot ? kRootLink : kCameraLink;
-  node["keypoint_faults"] = ToYaml(config.keypoint_faults);
-  node["keypoint_timing"] = ToYaml(config.keypoint_timing);
-  node["sensor"] = ToYaml(config.sensor);
+  node["keypoint_faults"] = Shortened(ToYaml(config.keypoint_faults));
+  node["keypoint_timing"] = Shortened(ToYaml(config.keypoint_timing));
+  node["sensor"] = Shortened(ToYaml(config.sensor));
   node["version"] = POSEFUSION_VERSION;
   WriteFileAtomically(folder + "/simulation.yaml", YAML::Dump(node) + "\n");
 }
