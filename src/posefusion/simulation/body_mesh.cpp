@@ -21,8 +21,8 @@ TriangleMesh Limb(double length, double top, double belly, double end, const Ski
                     {-0.7 * length, (belly + end) / 2, (belly + end) / 2},
                     {-0.35 * length, belly, belly * 1.06},
                     {-0.08 * length, top, top},
-                    {top * 0.6, top * 0.8, top * 0.8},
-                    {top * 0.9, top * 0.4, top * 0.4}},
+                    {top * 0.35, top * 0.8, top * 0.8},
+                    {top * 0.6, top * 0.45, top * 0.45}},
                    skin);
 }
 
