@@ -108,6 +108,7 @@ int main(int argc, char** argv) {
     const ParallelRunner runner(threads);
     Renderer renderer(world);
     const SensorConfig sensor_config;
+    Sensor sensor(sensor_config, world);
     for (double t = 0; t < config.seconds; t += step_s) {
       const std::string name = out + "/" + std::to_string(static_cast<int>(t * 10));
       const View view =
@@ -115,6 +116,11 @@ int main(int argc, char** argv) {
       Write(name + "_ideal.png", Colored(view.radiance));
       Write(name + "_labels.png", ColoredLabels(view.labels));
       Write(name + "_depth.png", ColoredDepth(view.depth_m));
+      const SensorFrame frame =
+          sensor.Capture(*config.head, t, t + 0.008, static_cast<int>(t * 30), runner);
+      Write(name + "_color.png", frame.frame.rgb);
+      Write(name + "_measured.png", ColoredDepth(frame.frame.depth_m));
+      std::cout << t << " s: blur " << frame.blur_length_px << " px\n";
       Write(name + "_above.png", FromAbove(renderer, config.room, t, runner));
     }
   } catch (const std::exception& error) {

@@ -38,7 +38,7 @@ TriangleMesh Pelvis(const BodyShape& s, const Skin& skin) {
 }
 
 TriangleMesh Chest(const BodyShape& s, const Skin& skin) {
-  const double w = (s.shoulder_half - 0.015) * s.girth;
+  const double w = (s.shoulder_half + 0.01) * s.girth;
   const double d = 0.12 * s.girth;
   const double top = 0.8 * s.trunk;
   return FromRings({{-0.09, 0.80 * w, 1.08 * d},

@@ -12,7 +12,7 @@ using Eigen::Vector3f;
 constexpr float kOffset = 0.02F;     // rays start off the surface, so that pictures on a wall
                                      // do not darken it around them
 constexpr float kLightReach = 9.0F;  // metres; weaker lights are left out
-constexpr float kAmbient = 0.42F;    // radiance of a white surface of the room
+constexpr float kAmbient = 0.62F;    // radiance of a white surface of the room
 constexpr int kDirections = 32;
 
 RTCRay MakeRay(const Vector3f& from, const Vector3f& direction, float length) {
