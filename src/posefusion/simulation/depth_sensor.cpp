@@ -18,6 +18,9 @@ constexpr float kDarkRange_m = 2.5F;         // for which dark_reflectance is gi
 constexpr float kEdge = 0.025F;              // relative step in depth that is an edge
 constexpr float kHalfPi = 1.5707963F;
 
+/// The nearest whole number of one above -100. (std::round is slow without SSE 4.1.)
+inline int Rounded(float x) { return static_cast<int>(x + 100.5F) - 100; }
+
 /// Angles of incidence for the 256 values in View::surface, kept off 90 degrees, where the noise
 /// models have their poles.
 std::array<float, 256> AngleTable() {
@@ -53,10 +56,10 @@ class DepthPixel {
     const cv::Vec2b surface = view_.surface.at<cv::Vec2b>(from_y, from_x);
     if (IsLost(x, y, z, surface)) return 0;
     const float white = GaussianFloat(
-        HashOf(key_, 5, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)));
+        Mix(key_ ^ Mix(static_cast<std::uint32_t>(y) * 65536U + static_cast<std::uint32_t>(x))));
     const float noise = 0.7071F * (axial_.At(x, y) + white);
     const float noisy = z + noise * AxialNoise(config_, z, angles_[surface[0]]);
-    return std::round(QuantizedDepth(config_, noisy) * 1000.0F) / 1000.0F;
+    return static_cast<float>(Rounded(QuantizedDepth(config_, noisy) * 1000.0F)) / 1000.0F;
   }
 
  private:
@@ -65,7 +68,7 @@ class DepthPixel {
     const float z = view_.depth_m.at<float>(y, x);
     const float sigma = LateralNoise(config_, angles_[view_.surface.at<cv::Vec2b>(y, x)[0]]);
     const auto shifted = [sigma](int at, float noise, int size) {
-      const int moved = at + static_cast<int>(std::lround(std::clamp(sigma * noise, -4.F, 4.F)));
+      const int moved = at + Rounded(std::clamp(sigma * noise, -4.F, 4.F));
       return std::clamp(moved, 0, size - 1);
     };
     const int to_x = shifted(x, shift_x_.At(x, y), view_.depth_m.cols);
@@ -81,9 +84,11 @@ class DepthPixel {
     const float reflectance = static_cast<float>(surface[1]) / 255.0F;
     const float far = z / kDarkRange_m;
     const float needed = static_cast<float>(config_.dark_reflectance) * far * far;
+    const float returned = reflectance * cosine;
+    const auto grazing = static_cast<float>(config_.grazing_cosine);
+    if (returned > 2.1F * needed && cosine > 2.1F * grazing) return false;  // whatever the chance
     const float chance = std::max(1 + 0.3F * patch_.At(x, y), 0.2F);
-    return reflectance * cosine < needed * chance ||
-           cosine < static_cast<float>(config_.grazing_cosine) * chance;
+    return returned < needed * chance || cosine < grazing * chance;
   }
 
   const DepthSensorConfig& config_;
@@ -110,7 +115,7 @@ float QuantizedDepth(const DepthSensorConfig& config, float z_m) {
   const float product = kInfraredFocal_px * static_cast<float>(config.baseline_m);
   const auto step = static_cast<float>(config.disparity_step_px);
   if (step <= 0 || product <= 0 || z_m <= 0) return z_m;
-  const float steps = std::round(product / z_m / step);
+  const auto steps = static_cast<float>(Rounded(product / z_m / step));
   return steps > 0 ? product / (steps * step) : 0.0F;
 }
 

@@ -87,10 +87,11 @@ View Renderer::Scene::Look(const CameraModel& camera, const Origin& origin, bool
                    view.bodies.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(hit.body);
                    view.labels.at<std::uint8_t>(y, x) =
                        rays.bodies()[static_cast<std::size_t>(hit.body)].label;
-                   view.surface.at<cv::Vec2b>(y, x) = {ToByte(IncidenceCosine(rays, hit, ray)),
+                   const float cosine = IncidenceCosine(rays, hit, ray);
+                   view.surface.at<cv::Vec2b>(y, x) = {ToByte(cosine),
                                                        ToByte(InfraredReflectance(rays, hit))};
                    if (!with_radiance) return;
-                   const Rgb4 color = Radiance(rays, hit, ray, pixel_rad);
+                   const Rgb4 color = Radiance(rays, hit, cosine, pixel_rad);
                    view.radiance.at<cv::Vec3f>(y, x) = {color[0], color[1], color[2]};
                  });
     });
@@ -110,11 +111,11 @@ void Renderer::Scene::Average(const cv::Rect& tile, int views, const Exposure& e
         poses.At(time.middle + time.half * (static_cast<double>(2 * i + 1) / views - 1));
     ForEachPacket(tile, [&](int column, int row) {
       packet.Cast(rays, *pixels, column, row, origin);
-      ForEachHit(packet, column, row,
-                 [&](const Hit& hit, const Eigen::Vector3f& ray, int x, int y) {
-                   const Rgb4 color = Radiance(rays, hit, ray, pixel_rad);
-                   radiance.at<cv::Vec3f>(y, x) += cv::Vec3f(color[0], color[1], color[2]);
-                 });
+      ForEachHit(
+          packet, column, row, [&](const Hit& hit, const Eigen::Vector3f& ray, int x, int y) {
+            const Rgb4 color = Radiance(rays, hit, IncidenceCosine(rays, hit, ray), pixel_rad);
+            radiance.at<cv::Vec3f>(y, x) += cv::Vec3f(color[0], color[1], color[2]);
+          });
     });
   }
   radiance(tile) *= 1.0 / views;

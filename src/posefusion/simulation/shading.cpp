@@ -45,13 +45,13 @@ Vector3f LightAt(const RayScene& scene, const RigidBody& body, const Eigen::Vect
 
 }  // namespace
 
-Rgb4 Radiance(const RayScene& scene, const Hit& hit, const Vector3f& direction, float pixel_rad) {
+Rgb4 Radiance(const RayScene& scene, const Hit& hit, float incidence_cosine, float pixel_rad) {
   const RigidBody& body = scene.bodies()[static_cast<std::size_t>(hit.body)];
   const Eigen::Vector3i& triangle = body.mesh->triangles[static_cast<std::size_t>(hit.triangle)];
   const Material& material = MaterialOf(scene, body, hit);
   const Eigen::Vector2f uv = AtHit(body.mesh->uv, triangle, hit);
   // A pixel covers this much of the surface: the geometric mean of across and along the slope.
-  const float cosine = std::max(IncidenceCosine(scene, hit, direction), 0.05F);
+  const float cosine = std::max(incidence_cosine, 0.05F);
   const float width_m = hit.depth_m * pixel_rad / std::sqrt(cosine);
   const float density = body.repeats_per_m[static_cast<std::size_t>(hit.triangle)];
   const Rgb4 color = material.texture.Sample(uv.x(), uv.y(), width_m * density);

@@ -7,10 +7,8 @@
 
 namespace posefusion {
 
-/// Linear colour of a hit. `direction` is the ray in the map with 1 as its depth, `pixel_rad` the
-/// angle between neighbouring pixels.
-Rgb4 Radiance(const RayScene& scene, const Hit& hit, const Eigen::Vector3f& direction,
-              float pixel_rad);
+/// Linear colour of a hit. `pixel_rad` is the angle between neighbouring pixels.
+Rgb4 Radiance(const RayScene& scene, const Hit& hit, float incidence_cosine, float pixel_rad);
 
 /// Cosine between the ray and the surface's normal, 0 to 1.
 float IncidenceCosine(const RayScene& scene, const Hit& hit, const Eigen::Vector3f& direction);

@@ -37,8 +37,9 @@ class SmoothNoise {
     return (static_cast<float>(offset) + 0.5F) / static_cast<float>(spacing_);
   }
   float Node(int column, int row) const {
-    return GaussianFloat(
-        HashOf(key_, static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row)));
+    const auto number =
+        static_cast<std::uint32_t>(row) * 65536U + static_cast<std::uint32_t>(column);
+    return GaussianFloat(Mix(key_ ^ Mix(number)));
   }
 
   std::uint32_t key_;
