@@ -21,8 +21,8 @@ TriangleMesh Limb(double length, double top, double belly, double end, const Ski
                     {-0.7 * length, (belly + end) / 2, (belly + end) / 2},
                     {-0.35 * length, belly, belly * 1.06},
                     {-0.08 * length, top, top},
-                    {top * 0.6, top * 0.8, top * 0.8},
-                    {top * 0.9, top * 0.4, top * 0.4}},
+                    {top * 0.35, top * 0.8, top * 0.8},
+                    {top * 0.6, top * 0.45, top * 0.45}},
                    skin);
 }
 
@@ -38,7 +38,7 @@ TriangleMesh Pelvis(const BodyShape& s, const Skin& skin) {
 }
 
 TriangleMesh Chest(const BodyShape& s, const Skin& skin) {
-  const double w = (s.shoulder_half - 0.015) * s.girth;
+  const double w = (s.shoulder_half + 0.01) * s.girth;
   const double d = 0.12 * s.girth;
   const double top = 0.8 * s.trunk;
   return FromRings({{-0.09, 0.80 * w, 1.08 * d},

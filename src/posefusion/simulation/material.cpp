@@ -10,7 +10,7 @@ using paint::Color;
 
 void AddRoomShell(std::vector<Material>& m) {
   m.push_back({Texture(paint::Plain({216, 212, 200})), 1.0F, 0.75F});            // kBlankPaint
-  m.push_back({Texture(paint::Plaster({222, 216, 200}, 9, 11)), 1.1F, 0.75F});   // kWallpaper
+  m.push_back({Texture(paint::Plaster({226, 221, 208}, 5, 11)), 0.5F, 0.75F});   // kWallpaper
   m.push_back({Texture(paint::CeilingTiles(12)), 1.2F, 0.8F});                   // kCeiling
   m.push_back({Texture(paint::FloorBoards({176, 132, 88}, 13)), 2.0F, 0.5F});    // kBoards
   m.push_back({Texture(paint::Plaster({118, 128, 134}, 26, 14)), 0.9F, 0.45F});  // kLinoleum

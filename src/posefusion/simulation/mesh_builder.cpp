@@ -36,7 +36,8 @@ void MeshBuilder::AddPatch(const Vector3d& top_left, const Vector3d& right, cons
       const double s = static_cast<double>(column) / columns;
       const double t = static_cast<double>(row) / rows;
       const Vector2f uv(static_cast<float>(s) * size.x(), static_cast<float>(t) * size.y());
-      AddVertex(top_left + s * right + t * down, normal, skin.cell.min() + uv);
+      AddVertex(top_left + s * right + t * down, normal,
+                uv + (skin.repeat_m > 0 ? Vector2f::Zero().eval() : skin.cell.min()));
     }
   }
   for (int row = 0; row < rows; ++row) {

@@ -10,8 +10,8 @@ namespace posefusion {
 /// How the texture lies on a patch.
 struct Skin {
   std::uint8_t material = 0;
-  double repeat_m = 1;  ///< width of one repeat; 0 = `cell` of the texture fits the patch once
-  Eigen::AlignedBox2f cell{Eigen::Vector2f(0, 0), Eigen::Vector2f(1, 1)};  ///< in repeats
+  double repeat_m = 1;       ///< width of one repeat; 0 = `cell` of the texture fits the patch once
+  Eigen::AlignedBox2f cell;  ///< in repeats; only for repeat_m = 0
 };
 
 /// One elliptic cross-section of a body part, at z in the part's frame.

@@ -58,8 +58,8 @@ void AddGesture(Gesture gesture, double t, Posture& p) {
       p.lean += 0.16;
       p.head_pitch += 0.15;
       for (LimbAngles* arm : {&p.right, &p.left}) {
-        arm->shoulder += 0.55;
-        arm->elbow += 1.05;
+        arm->shoulder += 0.35;
+        arm->elbow += 0.35;
         arm->shoulder_in += 0.25;
       }
       break;
@@ -99,8 +99,8 @@ void BendToSeat(Posture& p) {
     leg->knee = 1.5;
   }
   p.lean = -0.06;
-  p.right.shoulder = p.left.shoulder = 0.4;
-  p.right.elbow = p.left.elbow = 0.85;
+  p.right.shoulder = p.left.shoulder = 0.25;
+  p.right.elbow = p.left.elbow = 0.7;
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ class Builder {
                             T_map_room_.linear() * Vector3d(0.6, 0, 0),
                             T_map_room_.linear() * Vector3d(0, 0.15, 0),
                             -Vector3d::UnitZ(),
-                            {5.4F, 5.0F, 4.3F}});
+                            {7.4F, 6.9F, 6.0F}});
   }
 
   void AddWindowAt(double x, double y, double yaw_rad) {
@@ -86,7 +86,7 @@ class Builder {
                             T.linear() * Vector3d(0.6, 0, 0),
                             Vector3d(0, 0, 0.6),
                             T.linear() * -Vector3d::UnitY(),
-                            {1.9F, 2.2F, 2.6F}});
+                            {2.6F, 3.0F, 3.5F}});
   }
 
   void AddChairWithSeat(double x, double y, double yaw_rad, std::uint8_t cloth, double side) {
@@ -113,7 +113,7 @@ void FurnishMiddle(Builder& b, std::uint32_t seed) {
   b.Block(-0.75, -0.4, 0.75, 0.4);
   b.AddChairWithSeat(-0.42, -0.64, M_PI, seed % 2 == 0 ? kSeatRed : kSeatBlue, 0.62);
   mesh.SetPlacement(b.Place(0, 0, 0));
-  mesh.AddBox({-1.3, -0.9, 0.0005}, {1.3, 0.9, 0.008}, {kRug, 1.3, {}});
+  mesh.AddBox({-1.3, -0.9, 0.0005}, {1.3, 0.9, 0.008}, {kRug, 2.6, {}});
 }
 
 /// Furniture along the four walls: shelves and posters beside the door (-y), a blank wall (+x),
@@ -143,7 +143,7 @@ void FurnishWalls(Builder& b, std::uint32_t seed) {
 void AddShell(Builder& b, double door, std::uint8_t floor) {
   const double x = kHalfWidth;
   const double y = kHalfDepth;
-  const Skin paper{kWallpaper, 1.1, {}};
+  const Skin paper{kWallpaper, 0.5, {}};
   b.AddFloorAndCeiling({-x, -y}, {x, y}, {floor, floor == kBoards ? 2.0 : 0.9, {}});
   b.AddWall({-x, y}, {x, y}, paper);                 // windows
   b.AddWall({x, y}, {x, -y}, {kBlankPaint, 1, {}});  // the blank wall
@@ -205,7 +205,7 @@ void AddRoom(Builder& b, const Isometry3d& T_map_room, std::uint32_t seed) {
 RoomPlan Lab() {
   Builder b;
   AddRoom(b, Isometry3d::Identity(), 2);
-  const Skin paper{kWallpaper, 1.1, {}};
+  const Skin paper{kWallpaper, 0.5, {}};
   const double near = -kHalfDepth - 0.1;
   const double far = near - 1.5;
   b.AddFloorAndCeiling({-3, far}, {3, near}, {kLinoleum, 0.9, {}});
@@ -248,7 +248,7 @@ RoomPlan Corridor() {
   AddRoom(b, At(11.0, -1.1 - kHalfDepth, M_PI), 3);
   AddRoom(b, At(20.0, 1.1 + kHalfDepth, 0), 4);
   b.Enter(Isometry3d::Identity());
-  const Skin paper{kWallpaper, 1.1, {}};
+  const Skin paper{kWallpaper, 0.5, {}};
   b.AddFloorAndCeiling({0, -1}, {26, 1}, {kLinoleum, 0.9, {}});
   b.AddWall({0, 1}, {6.2, 1}, paper, 3);
   b.AddWall({6.2, 1}, {16.5, 1}, paper);

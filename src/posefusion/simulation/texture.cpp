@@ -9,12 +9,19 @@
 namespace posefusion {
 namespace {
 
-using Byte4 = std::uint8_t __attribute__((vector_size(4)));
+using Byte16 = std::uint8_t __attribute__((vector_size(16)));
+using Short8 = std::uint16_t __attribute__((vector_size(16)));
+using Int4 = std::int32_t __attribute__((vector_size(16)));
 
-Rgb4 Unpack(std::uint32_t texel) {
-  Byte4 bytes;
-  std::memcpy(&bytes, &texel, sizeof bytes);
-  return __builtin_convertvector(bytes, Rgb4);
+/// The four bytes of a texel as floats. Interleaving with zeros, twice, is two instructions of any
+/// x86-64; a plain conversion of the bytes is not.
+inline Rgb4 Unpack(std::uint32_t texel) {
+  const auto packed = reinterpret_cast<Byte16>(Int4{static_cast<std::int32_t>(texel), 0, 0, 0});
+  const auto shorts = reinterpret_cast<Short8>(__builtin_shuffle(
+      packed, Byte16{}, Byte16{0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23}));
+  const auto words =
+      reinterpret_cast<Int4>(__builtin_shuffle(shorts, Short8{}, Short8{0, 8, 1, 9, 2, 10, 3, 11}));
+  return __builtin_convertvector(words, Rgb4);
 }
 
 /// Exponent and a linear mantissa: log2(x) within 0.09, monotonous.
