@@ -13,7 +13,7 @@ constexpr int kBalanceStream = 202;
 constexpr double kTrunkPivotM = 0.45;  ///< above BODY
 constexpr double kBodyShare = 0.3;     ///< of the shaking; the rest is above the trunk
 
-const SmoothNoiseConfig kBalance = {0.0012, 0.3, 1.5, 5, 0.5};
+const WanderConfig kBalance = {0.0012, 0.3, 1.5, 5, 0.5};
 
 Eigen::Matrix3d Rotation(double roll_rad, double pitch_rad, double yaw_rad) {
   return (Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ()) *

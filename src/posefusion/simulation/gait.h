@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "posefusion/simulation/indexed_random.h"
-#include "posefusion/simulation/smooth_noise.h"
+#include "posefusion/simulation/wander.h"
 
 namespace posefusion {
 
@@ -71,8 +71,8 @@ class Gait {
 
   GaitConfig config_;
   IndexedRandom hardness_;
-  SmoothNoise balance_pitch_;  ///< of a robot that stands: its balance control at work
-  SmoothNoise balance_roll_;
+  Wander balance_pitch_;  ///< of a robot that stands: its balance control at work
+  Wander balance_roll_;
 };
 
 }  // namespace posefusion

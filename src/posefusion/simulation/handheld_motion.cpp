@@ -109,16 +109,16 @@ SweepSequence MakeSweeps(HandheldKind kind, int seed, double seconds) {
 }
 
 /// Tremor of hands that hold a camera of half a kilogram: metres and radians.
-std::vector<SmoothNoise> MakeTremor(HandheldKind kind, int seed) {
+std::vector<Wander> MakeTremor(HandheldKind kind, int seed) {
   const bool still = kind == HandheldKind::kStatic;
-  SmoothNoiseConfig translation;
+  WanderConfig translation;
   translation.amplitude = still ? 0.0046 : 0.009;
   translation.min_frequency_hz = 0.15;
   translation.max_frequency_hz = 2.5;
   translation.burstiness = 1;
-  SmoothNoiseConfig rotation = translation;
+  WanderConfig rotation = translation;
   rotation.amplitude = still ? 0.0172 : kind == HandheldKind::kHalfsphere ? 0.012 : 0.028;
-  std::vector<SmoothNoise> tremor;
+  std::vector<Wander> tremor;
   for (int axis = 0; axis < 3; ++axis) tremor.emplace_back(translation, seed, kTremorStream + axis);
   for (int axis = 3; axis < 6; ++axis) tremor.emplace_back(rotation, seed, kTremorStream + axis);
   return tremor;

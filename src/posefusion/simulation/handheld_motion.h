@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "posefusion/simulation/head_motion.h"
-#include "posefusion/simulation/smooth_noise.h"
 #include "posefusion/simulation/sweep_sequence.h"
+#include "posefusion/simulation/wander.h"
 
 namespace posefusion {
 
@@ -31,7 +31,7 @@ class HandheldMotion : public HeadMotion {
   HandheldKind kind_;
   double seconds_;
   SweepSequence sweeps_;
-  std::vector<SmoothNoise> tremor_;  ///< translation, then rotation, camera axes
+  std::vector<Wander> tremor_;  ///< translation, then rotation, camera axes
 };
 
 /// Optical frame at `position`, looking at `target`, its x axis horizontal; map frame, metres.

@@ -14,8 +14,8 @@ constexpr int kAttitudeStream = 403;
 constexpr double kCarryMarginS =
     0.3;  ///< the plan's track is smoothed over some tenths of a second
 
-SmoothNoise AttitudeError(double deviation_rad, int seed, int axis) {
-  return SmoothNoise({deviation_rad, 0.02, 0.3, 5, 0}, seed, kAttitudeStream + axis);
+Wander AttitudeError(double deviation_rad, int seed, int axis) {
+  return Wander({deviation_rad, 0.02, 0.3, 5, 0}, seed, kAttitudeStream + axis);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include "posefusion/simulation/indexed_random.h"
 #include "posefusion/simulation/robot_motion.h"
-#include "posefusion/simulation/smooth_noise.h"
+#include "posefusion/simulation/wander.h"
 
 namespace posefusion {
 
@@ -43,8 +43,8 @@ class Odometry {
   IndexedRandom slip_;
   double scale_;
   double heading_bias_rad_;
-  SmoothNoise roll_error_;
-  SmoothNoise pitch_error_;
+  Wander roll_error_;
+  Wander pitch_error_;
   std::vector<Eigen::Isometry3d> T_odom_at_step_;
 };
 

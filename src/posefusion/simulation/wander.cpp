@@ -1,4 +1,4 @@
-#include "posefusion/simulation/smooth_noise.h"
+#include "posefusion/simulation/wander.h"
 
 #include <cmath>
 
@@ -13,8 +13,7 @@ constexpr double kMaxEnvelopeHz = 0.15;
 
 }  // namespace
 
-SmoothNoise::SmoothNoise(const SmoothNoiseConfig& config, int seed, int stream)
-    : burstiness_(config.burstiness) {
+Wander::Wander(const WanderConfig& config, int seed, int stream) : burstiness_(config.burstiness) {
   const IndexedRandom random(seed, stream);
   const double range = config.max_frequency_hz / config.min_frequency_hz;
   double power = 0;
@@ -31,7 +30,7 @@ SmoothNoise::SmoothNoise(const SmoothNoiseConfig& config, int seed, int stream)
   envelope_.phase_rad = kTwoPi * random.Uniform(1001);
 }
 
-double SmoothNoise::At(double time_s) const {
+double Wander::At(double time_s) const {
   double sum = 0;
   for (const Wave& wave : waves_) {
     sum += wave.amplitude * std::sin(wave.frequency_rad_s * time_s + wave.phase_rad);
