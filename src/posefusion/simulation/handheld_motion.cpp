@@ -18,7 +18,7 @@ constexpr double kHaltS = 0.25;
 const Eigen::Vector3d kHeldAt(-1.85, 0.0, 1.42);
 const Eigen::Vector3d kTarget(0.0, 0.0, 0.9);
 const Eigen::Vector3d kSphereCentre(-0.8, 0.0, 0.95);
-constexpr double kSphereRadius = 1.1;
+constexpr double kSphereRadius = 1.15;
 
 /// Random values of one sequence, one after the other.
 class Dice {
@@ -84,12 +84,12 @@ SweepSequence HalfsphereSweeps(int seed, double seconds) {
     point[0] = over_the_top ? sweeps.last()[0] : side * dice.Uniform(0.5, 0.95);
     point[1] = over_the_top ? dice.Uniform(0.9, 1.2) : dice.Uniform(0.15, 0.6);
     point[2] = dice.Uniform(-0.08, 0.08);
-    for (int axis = 3; axis < 6; ++axis) point[axis] = dice.Uniform(-0.03, 0.03);
-    if (over_the_top) point[5] = side * dice.Uniform(1.7, 2.4);
+    for (int axis = 3; axis < 6; ++axis) point[axis] = dice.Uniform(-0.01, 0.01);
+    if (over_the_top) point[5] = side * dice.Uniform(1.6, 2.3);
     if (!over_the_top) side = -side;
     const Vector6d step = point - sweeps.last();
     const double length = kSphereRadius * std::hypot(step[0] * std::cos(point[1]), step[1]);
-    sweeps.Append(point, std::max(0.8, length / dice.Uniform(0.165, 0.30)));
+    sweeps.Append(point, std::max(0.8, length / dice.Uniform(0.17, 0.30)));
   }
   return sweeps;
 }
@@ -117,7 +117,7 @@ std::vector<Wander> MakeTremor(HandheldKind kind, int seed) {
   translation.max_frequency_hz = 2.5;
   translation.burstiness = 1;
   WanderConfig rotation = translation;
-  rotation.amplitude = still ? 0.0172 : kind == HandheldKind::kHalfsphere ? 0.012 : 0.028;
+  rotation.amplitude = still ? 0.0172 : kind == HandheldKind::kHalfsphere ? 0.008 : 0.028;
   std::vector<Wander> tremor;
   for (int axis = 0; axis < 3; ++axis) tremor.emplace_back(translation, seed, kTremorStream + axis);
   for (int axis = 3; axis < 6; ++axis) tremor.emplace_back(rotation, seed, kTremorStream + axis);

@@ -32,7 +32,9 @@ Route TableRoute(int seed) {
   }
   route.closed = true;
   route.look_aside_rad = 0.5 * sense;
-  route.gaze_yaw_rad = 0.6 * sense;
+  route.gaze_yaw_rad = 0.95 * sense;
+  route.gaze_range_rad = 0.3;
+  route.gaze_pitch_rad = 0.35;
   return route;
 }
 
@@ -58,7 +60,8 @@ Route LongRoute() {
   Route route;
   route.points = CorridorRoute();
   route.speed_m_s = 0.4;
-  route.leg_m = 6;
+  route.turn_rad_s = 0.45;
+  route.leg_m = 15;
   route.gaze_range_rad = 0.35;
   route.gaze_pitch_rad = 0.2;
   return route;

@@ -85,7 +85,7 @@ const std::vector<SimulationPreset>& SimulationPresets() {
       {"fr3_rpy", "hand-held, about the axes", RoomKind::kLab, 30},
       {"fr3_halfsphere", "hand-held, on a half sphere", RoomKind::kLab, 30},
       {"corridor", "a humanoid walks through rooms and corridor and back", RoomKind::kCorridor,
-       280},
+       412},
   };
   return presets;
 }

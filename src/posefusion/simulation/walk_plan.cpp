@@ -98,7 +98,7 @@ class Planner {
     const double start = heading_;
     const double angle = Wrapped(heading - start);
     if (std::abs(angle) < kMinTurnRad) return;
-    const int num_steps = 1 + static_cast<int>(std::abs(angle) / (config_.turn_rad_s * kIntervalS));
+    const int num_steps = 1 + static_cast<int>(std::abs(angle) / (route_.turn_rad_s * kIntervalS));
     for (int i = 1; i <= num_steps; ++i) {
       heading_ = start + angle * i / num_steps;
       Push(kTurnStepping);

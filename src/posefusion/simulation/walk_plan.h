@@ -13,7 +13,6 @@ struct WalkPlanConfig {
   double seconds = 60;
   double first_fall_s = 0;    ///< about when it falls first; 0 = never
   double fall_period_s = 15;  ///< from one fall to the next
-  double turn_rad_s = 0.3;    ///< in place; HRP-4 turns by about 0.25 rad per step
   double acceleration_m_s2 = 0.3;
 };
 
