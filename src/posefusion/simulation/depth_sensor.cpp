@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "posefusion/simulation/smooth_noise.h"
 
@@ -15,6 +16,7 @@ constexpr int kWindow_px = 3;                // within which noise agrees
 constexpr int kPatch_px = 5;                 // size of the holes where little light returns
 constexpr float kInfraredFocal_px = 585.0F;  // of the 640 pixels wide depth image
 constexpr float kDarkRange_m = 2.5F;         // for which dark_reflectance is given
+constexpr int kReach = 4;                    // of lateral noise, pixels
 constexpr float kEdge = 0.025F;              // relative step in depth that is an edge
 constexpr float kHalfPi = 1.5707963F;
 
@@ -63,12 +65,25 @@ class DepthPixel {
   }
 
  private:
+  /// True when the depth changes by a step within the reach of lateral noise.
+  bool IsNearEdge(int x, int y, float z) const {
+    const int left = std::max(x - kReach, 0);
+    const int right = std::min(x + kReach, view_.depth_m.cols - 1);
+    const int up = std::max(y - kReach, 0);
+    const int down = std::min(y + kReach, view_.depth_m.rows - 1);
+    const auto steps = [&](int column, int row) {
+      return std::abs(view_.depth_m.at<float>(row, column) - z) > kEdge * z;
+    };
+    return steps(left, y) || steps(right, y) || steps(x, up) || steps(x, down);
+  }
+
   /// The pixel whose surface is measured at (x, y): its own, or beyond an edge near by.
   std::pair<int, int> Wavered(int x, int y) const {
     const float z = view_.depth_m.at<float>(y, x);
+    if (!IsNearEdge(x, y, z)) return {x, y};
     const float sigma = LateralNoise(config_, angles_[view_.surface.at<cv::Vec2b>(y, x)[0]]);
     const auto shifted = [sigma](int at, float noise, int size) {
-      const int moved = at + Rounded(std::clamp(sigma * noise, -4.F, 4.F));
+      const int moved = at + Rounded(std::clamp(sigma * noise, -1.F * kReach, 1.F * kReach));
       return std::clamp(moved, 0, size - 1);
     };
     const int to_x = shifted(x, shift_x_.At(x, y), view_.depth_m.cols);

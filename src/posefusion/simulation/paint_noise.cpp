@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <opencv2/core.hpp>
+#include <vector>
 
 #include "posefusion/simulation/hash_random.h"
 #include "posefusion/simulation/paint.h"
@@ -7,32 +8,50 @@
 namespace posefusion::paint {
 namespace {
 
-float Lattice(int x, int y, int cells_x, int cells_y, std::uint32_t seed) {
-  const std::uint32_t hash = HashOf(seed, static_cast<std::uint32_t>(x % cells_x),
-                                    static_cast<std::uint32_t>(y % cells_y));
-  return 2 * UnitFloat(hash) - 1;
+float Ease(float t) { return t * t * (3 - 2 * t); }
+
+/// Random values in [-1, 1) at lattice points; the last column and row repeat the first.
+cv::Mat Lattice(int cells_x, int cells_y, std::uint32_t seed) {
+  cv::Mat values(cells_y + 1, cells_x + 1, CV_32FC1);
+  for (int y = 0; y <= cells_y; ++y) {
+    for (int x = 0; x <= cells_x; ++x) {
+      const std::uint32_t hash = HashOf(seed, static_cast<std::uint32_t>(x % cells_x),
+                                        static_cast<std::uint32_t>(y % cells_y));
+      values.at<float>(y, x) = 2 * UnitFloat(hash) - 1;
+    }
+  }
+  return values;
 }
 
-float Ease(float t) { return t * t * (3 - 2 * t); }
+/// Where each of `size` pixels lies between lattice points.
+struct Place {
+  int cell;
+  float share;
+};
+std::vector<Place> Places(int size, int cells) {
+  std::vector<Place> places;
+  for (int i = 0; i < size; ++i) {
+    const float at = static_cast<float>(i) * static_cast<float>(cells) / static_cast<float>(size);
+    const int cell = static_cast<int>(at);
+    places.push_back({cell, Ease(at - static_cast<float>(cell))});
+  }
+  return places;
+}
 
 /// Value noise: smooth interpolation between random values at lattice points.
 void AddOctave(cv::Mat& noise, int cells_x, int cells_y, float amplitude, std::uint32_t seed) {
-  const float scale_x = static_cast<float>(cells_x) / static_cast<float>(noise.cols);
-  const float scale_y = static_cast<float>(cells_y) / static_cast<float>(noise.rows);
+  const cv::Mat lattice = Lattice(cells_x, cells_y, seed);
+  const std::vector<Place> columns = Places(noise.cols, cells_x);
+  const std::vector<Place> rows = Places(noise.rows, cells_y);
   for (int row = 0; row < noise.rows; ++row) {
-    const float y = static_cast<float>(row) * scale_y;
-    const int y0 = static_cast<int>(y);
-    const float fy = Ease(y - static_cast<float>(y0));
-    for (int col = 0; col < noise.cols; ++col) {
-      const float x = static_cast<float>(col) * scale_x;
-      const int x0 = static_cast<int>(x);
-      const float fx = Ease(x - static_cast<float>(x0));
-      const auto at = [&](int dx, int dy) {
-        return Lattice(x0 + dx, y0 + dy, cells_x, cells_y, seed);
-      };
-      const float top = at(0, 0) * (1 - fx) + at(1, 0) * fx;
-      const float bottom = at(0, 1) * (1 - fx) + at(1, 1) * fx;
-      noise.at<float>(row, col) += amplitude * (top * (1 - fy) + bottom * fy);
+    const auto [cell, share] = rows[static_cast<std::size_t>(row)];
+    const auto* top = lattice.ptr<float>(cell);
+    const auto* bottom = lattice.ptr<float>(cell + 1);
+    auto* out = noise.ptr<float>(row);
+    for (const Place& x : columns) {
+      const float above = top[x.cell] + (top[x.cell + 1] - top[x.cell]) * x.share;
+      const float below = bottom[x.cell] + (bottom[x.cell + 1] - bottom[x.cell]) * x.share;
+      *out++ += amplitude * (above + (below - above) * share);
     }
   }
 }

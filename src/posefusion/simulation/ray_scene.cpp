@@ -1,5 +1,7 @@
 #include "posefusion/simulation/ray_scene.h"
 
+#include <tbb/task_arena.h>
+
 #include <cmath>
 #include <stdexcept>
 
@@ -33,10 +35,18 @@ void SetTransform(RTCGeometry instance, unsigned step, const Isometry3d& T) {
   rtcSetGeometryTransform(instance, step, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, matrix.data());
 }
 
+/// Builds a tree on one thread, so that it, and which of two equally near triangles a ray meets,
+/// does not depend on the number of threads. (Embree's own setting for this would hold for all of
+/// the program's TBB loops.)
+void Commit(RTCScene scene) {
+  tbb::task_arena single(1);
+  single.execute([scene] { rtcCommitScene(scene); });
+}
+
 }  // namespace
 
 RayScene::RayScene(const World& world) : world_(world) {
-  device_ = rtcNewDevice("threads=1");  // trees, and so ties, do not depend on threads
+  device_ = rtcNewDevice(nullptr);
   if (device_ == nullptr) throw std::runtime_error("Embree: no device");
   top_ = rtcNewScene(device_);
   rtcSetSceneFlags(top_, RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_ROBUST);
@@ -80,7 +90,7 @@ RTCScene RayScene::AddTree(const TriangleMesh& mesh) {
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(tree, geometry);
   rtcReleaseGeometry(geometry);
-  rtcCommitScene(tree);
+  Commit(tree);
   return tree;
 }
 
@@ -129,7 +139,7 @@ void RayScene::MoveTo(double start_s, double end_s) {
     }
   }
   for (std::size_t i = 1; i < bodies_.size(); ++i) Attach(i, end_s > start_s);
-  rtcCommitScene(top_);
+  Commit(top_);
 }
 
 void RayScene::Attach(std::size_t index, bool moves) {

@@ -74,20 +74,21 @@ Texture::Texture(const cv::Mat& image) {
 
 Rgb4 Texture::Bilinear(const Level& level, float u, float v) {
   const int mask = level.size - 1;
+  const auto size = static_cast<float>(level.size);
   // One more repeat keeps the sum positive, so that the conversion to int rounds down.
-  const float x =
-      Fraction(u) * static_cast<float>(level.size) + static_cast<float>(level.size) - 0.5F;
-  const float y =
-      Fraction(v) * static_cast<float>(level.size) + static_cast<float>(level.size) - 0.5F;
+  const float x = u * size + (size - 0.5F);
+  const float y = v * size + (size - 0.5F);
   const int x0 = static_cast<int>(x);
   const int y0 = static_cast<int>(y);
   const float fx = x - static_cast<float>(x0);
   const float fy = y - static_cast<float>(y0);
   const std::uint32_t* row0 = level.texels.data() + (y0 & mask) * level.size;
   const std::uint32_t* row1 = level.texels.data() + ((y0 + 1) & mask) * level.size;
-  const Rgb4 top = Unpack(row0[x0 & mask]) * (1 - fx) + Unpack(row0[(x0 + 1) & mask]) * fx;
-  const Rgb4 bottom = Unpack(row1[x0 & mask]) * (1 - fx) + Unpack(row1[(x0 + 1) & mask]) * fx;
-  return top * (1 - fy) + bottom * fy;
+  const Rgb4 a = Unpack(row0[x0 & mask]);
+  const Rgb4 c = Unpack(row1[x0 & mask]);
+  const Rgb4 top = a + (Unpack(row0[(x0 + 1) & mask]) - a) * fx;
+  const Rgb4 bottom = c + (Unpack(row1[(x0 + 1) & mask]) - c) * fx;
+  return top + (bottom - top) * fy;
 }
 
 Rgb4 Texture::Sample(float u, float v, float footprint) const {
@@ -95,11 +96,13 @@ Rgb4 Texture::Sample(float u, float v, float footprint) const {
   const float top = static_cast<float>(levels_.size() - 1);
   const float lod = std::min(FastLog2(texels), top);
   const auto fine = static_cast<std::size_t>(lod);
-  const float blend = lod - static_cast<float>(fine);
-  Rgb4 value = Bilinear(levels_[fine], u, v);
-  if (blend > 0.02F) {
-    value += (Bilinear(levels_[std::min(fine + 1, levels_.size() - 1)], u, v) - value) * blend;
-  }
+  // Levels are mixed over the middle half of the way between them; nearer to one it stands alone.
+  const float mix = 2 * (lod - static_cast<float>(fine)) - 0.5F;
+  const float x = Fraction(u);
+  const float y = Fraction(v);
+  const std::size_t coarse = std::min(fine + 1, levels_.size() - 1);
+  Rgb4 value = Bilinear(levels_[mix < 1 ? fine : coarse], x, y);
+  if (mix > 0 && mix < 1) value += (Bilinear(levels_[coarse], x, y) - value) * mix;
   value *= 1.0F / 255.0F;
   return value * value;
 }

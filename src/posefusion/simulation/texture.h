@@ -29,6 +29,7 @@ class Texture {
     int size;
     std::vector<std::uint32_t> texels;
   };
+  /// u and v in [0, 1).
   static Rgb4 Bilinear(const Level& level, float u, float v);
 
   std::vector<Level> levels_;
