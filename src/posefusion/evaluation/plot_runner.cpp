@@ -7,32 +7,21 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
+
+#include "posefusion/common/package_files.h"
 
 namespace posefusion {
 namespace {
 
 /// Debian's own, which has the matplotlib package; another python may come first in PATH.
 constexpr char kPython[] = "/usr/bin/python3";
-constexpr char kScriptName[] = "plot_trajectory.py";
-
-/// The script beside an installed program, else in the source tree; empty when in neither.
-std::string FindScript() {
-  std::error_code error;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
-  for (const auto& folder : {program.parent_path() / "../../share/posefusion/scripts",
-                             std::filesystem::path(POSEFUSION_SOURCE_SCRIPTS)}) {
-    const auto script = folder / kScriptName;
-    if (std::filesystem::exists(script, error)) return script;
-  }
-  return "";
-}
+constexpr char kScript[] = "scripts/plot_trajectory.py";
 
 }  // namespace
 
 std::string PlotEvaluation(const std::string& folder) {
-  std::string script = FindScript();
-  if (script.empty()) return std::string(kScriptName) + " is not installed";
+  std::string script = FindPackageFile(kScript);
+  if (script.empty()) return std::string(kScript) + " is not installed";
   std::string python = kPython;
   std::string argument = folder;
   std::array<char*, 4> arguments = {python.data(), script.data(), argument.data(), nullptr};

@@ -22,7 +22,7 @@ struct PyramidLevel {
 
 /// What tracking and fusion need of a rectified frame, made once per frame.
 struct FramePyramid {
-  StampNs stamp_ns = 0;        ///< of the colour image
+  StampNs stamp_ns = 0;  ///< of the colour image
   StampNs depth_stamp_ns = 0;
   cv::Mat rgb;                       ///< as in the frame
   Grid<float> raw_depth_m;           ///< as in the frame within the cut-off, 0 = none or masked

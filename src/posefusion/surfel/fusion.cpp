@@ -33,8 +33,7 @@ Eigen::Vector3f ColorAt(const cv::Mat& rgb, const CameraModel& camera, const Eig
   const int x = std::clamp(static_cast<int>(std::lround(pixel.x())), 0, camera.width - 1);
   const int y = std::clamp(static_cast<int>(std::lround(pixel.y())), 0, camera.height - 1);
   const std::uint8_t* color = rgb.ptr<std::uint8_t>(y) + 3 * x;
-  return {static_cast<float>(color[0]), static_cast<float>(color[1]),
-          static_cast<float>(color[2])};
+  return {static_cast<float>(color[0]), static_cast<float>(color[1]), static_cast<float>(color[2])};
 }
 
 /// Squared half diagonal of the image over the fall-off: weight exp(-r^2 times this).
@@ -51,7 +50,8 @@ double RadiusScale(const FusionConfig& config, const CameraModel& camera) {
 }
 
 FusionKernelInput MakeInput(const FusionConfig& config, const DepthNoiseConfig& noise,
-                            const CameraModel& camera, const FramePoses& poses, double frame_weight) {
+                            const CameraModel& camera, const FramePoses& poses,
+                            double frame_weight) {
   const Eigen::Isometry3d& T_map_camera = poses.T_map_depth;
   const Eigen::Isometry3d T_color_depth = poses.T_map_color.inverse() * poses.T_map_depth;
   FusionKernelInput in;
@@ -64,7 +64,8 @@ FusionKernelInput MakeInput(const FusionConfig& config, const DepthNoiseConfig& 
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 3; ++c) in.rotation[3 * r + c] = static_cast<float>(T_map_camera(r, c));
     in.translation[r] = static_cast<float>(T_map_camera(r, 3));
-    for (int c = 0; c < 3; ++c) in.color_rotation[3 * r + c] = static_cast<float>(T_color_depth(r, c));
+    for (int c = 0; c < 3; ++c)
+      in.color_rotation[3 * r + c] = static_cast<float>(T_color_depth(r, c));
     in.color_translation[r] = static_cast<float>(T_color_depth(r, 3));
   }
   in.min_depth_m = 0.1F;
@@ -94,7 +95,8 @@ FusionKernelInput MakeInput(const FusionConfig& config, const DepthNoiseConfig& 
 Fuser::Fuser(const FusionConfig& config, const DepthNoiseConfig& noise)
     : config_(config), noise_(noise) {}
 
-FusionCounts Fuser::Fuse(const FramePyramid& frame, const FramePoses& poses, double frame_weight, const ParallelRunner& parallel, SurfelMap& map) {
+FusionCounts Fuser::Fuse(const FramePyramid& frame, const FramePoses& poses, double frame_weight,
+                         const ParallelRunner& parallel, SurfelMap& map) {
   map.BeginFrame(frame.stamp_ns);
   PrepareMeasurement(frame, parallel);
   FusionCounts counts = UpdateVisible(frame, poses, frame_weight, parallel, map);
@@ -128,7 +130,8 @@ void Fuser::PrepareMeasurement(const FramePyramid& frame, const ParallelRunner& 
   });
 }
 
-FusionCounts Fuser::UpdateVisible(const FramePyramid& frame, const FramePoses& poses, double frame_weight, const ParallelRunner& parallel,
+FusionCounts Fuser::UpdateVisible(const FramePyramid& frame, const FramePoses& poses,
+                                  double frame_weight, const ParallelRunner& parallel,
                                   SurfelMap& map) {
   const PyramidLevel& finest = frame.levels.front();
   FusionKernelInput in = MakeInput(config_, noise_, finest.camera, poses, frame_weight);
@@ -214,7 +217,8 @@ void Fuser::ScheduleRecheck(std::uint32_t index, SurfelMap& map) const {
   map.ScheduleRecheck(index, map.frame() + static_cast<std::uint32_t>(config_.recheck_frames));
 }
 
-int Fuser::Spawn(const FramePyramid& frame, const FramePoses& poses, double frame_weight, const ParallelRunner& parallel, SurfelMap& map) {
+int Fuser::Spawn(const FramePyramid& frame, const FramePoses& poses, double frame_weight,
+                 const ParallelRunner& parallel, SurfelMap& map) {
   const PyramidLevel& finest = frame.levels.front();
   const CameraModel& camera = finest.camera;
   const int stride = config_.spawn_stride_px;
@@ -223,7 +227,8 @@ int Fuser::Spawn(const FramePyramid& frame, const FramePoses& poses, double fram
   const auto radius_scale = static_cast<float>(RadiusScale(config_, camera));
   const Eigen::Matrix3f R = poses.T_map_depth.linear().cast<float>();
   const Eigen::Vector3f t = poses.T_map_depth.translation().cast<float>();
-  const Eigen::Isometry3f T_color_depth = (poses.T_map_color.inverse() * poses.T_map_depth).cast<float>();
+  const Eigen::Isometry3f T_color_depth =
+      (poses.T_map_color.inverse() * poses.T_map_depth).cast<float>();
   const int num_blocks = (camera.height + kSpawnRowsPerBlock - 1) / kSpawnRowsPerBlock;
   spawned_.resize(static_cast<std::size_t>(num_blocks));
 
@@ -248,12 +253,13 @@ int Fuser::Spawn(const FramePyramid& frame, const FramePoses& poses, double fram
         const auto dy = static_cast<float>(y - camera.cy);
         const Eigen::Vector3f ray(dx / static_cast<float>(camera.fx),
                                   dy / static_cast<float>(camera.fy), 1);
-        if (-normal.dot(ray.normalized()) < static_cast<float>(config_.grazing_cosine)) continue;
+        const float facing = -normal.dot(ray.normalized());
+        if (facing < static_cast<float>(config_.grazing_cosine)) continue;
         Surfel surfel;
         surfel.position_m = R * (ray * depth[x]) + t;
         surfel.normal = R * normal;
         surfel.rgb = ColorAt(frame.rgb, camera, T_color_depth * (ray * depth[x]));
-        surfel.radius_m = depth[x] * radius_scale / std::max(-normal.z(), 0.5F);
+        surfel.radius_m = depth[x] * radius_scale / std::max(facing, 0.5F);
         surfel.confidence =
             static_cast<float>(frame_weight) * std::exp(-(dx * dx + dy * dy) * inverse_falloff);
         surfel.first_seen = map.frame();
@@ -264,7 +270,7 @@ int Fuser::Spawn(const FramePyramid& frame, const FramePoses& poses, double fram
   });
   int created = 0;
   for (const std::vector<Surfel>& surfels : spawned_) {
-    for (const Surfel& surfel : surfels) map.Insert(surfel);
+    for (const Surfel& surfel : surfels) ScheduleRecheck(map.Insert(surfel), map);
     created += static_cast<int>(surfels.size());
   }
   return created;

@@ -50,7 +50,8 @@ class Fuser {
   };
 
   void PrepareMeasurement(const FramePyramid& frame, const ParallelRunner& parallel);
-  FusionCounts UpdateVisible(const FramePyramid& frame, const FramePoses& poses, double frame_weight, const ParallelRunner& parallel, SurfelMap& map);
+  FusionCounts UpdateVisible(const FramePyramid& frame, const FramePoses& poses,
+                             double frame_weight, const ParallelRunner& parallel, SurfelMap& map);
   int RemoveStale(SurfelMap& map);
   void ScheduleRecheck(std::uint32_t index, SurfelMap& map) const;
   int Spawn(const FramePyramid& frame, const FramePoses& poses, double frame_weight,

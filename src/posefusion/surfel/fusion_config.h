@@ -11,7 +11,7 @@ struct FusionConfig {
   double association_angle_rad = 0.7;    ///< between their normals
   double grazing_cosine = 0.1;           ///< flatter views of a surface are not measurements
   double max_radius_growth = 1.5;        ///< coarser measurements only confirm (ElasticFusion)
-  double radius_pixels = 1.0;            ///< surfel radius in footprints of half a diagonal
+  double radius_pixels = 1.15;           ///< surfel radius in footprints of half a diagonal
   double weight_falloff = 0.72;          ///< weight exp(-(r / half diagonal)^2 / this)
   double max_confidence = 100.0;         ///< confidence (and so inertia) grows no further
   double stable_confidence = 10.0;       ///< surfels of at least this are stable

@@ -21,7 +21,6 @@ POSEFUSION_INLINE Measured Gather(const FusionKernelInput& in, I8 pixel) {
     m.nx[i] = in.normal_x[p];
     m.ny[i] = in.normal_y[p];
     m.nz[i] = in.normal_z[p];
-    
   }
   return m;
 }
@@ -125,7 +124,7 @@ POSEFUSION_KERNEL FusionKernelCounts UpdateSurfels(const FusionKernelInput& in,
     const F8 dx = __builtin_convertvector(ui, F8) - in.cx;
     const F8 dy = __builtin_convertvector(vi, F8) - in.cy;
     const F8 weight = in.frame_weight * ExpMinus((dx * dx + dy * dy) * in.inverse_falloff);
-    const F8 measured_radius = m.depth * in.radius_scale / Max(-m.nz, Broadcast(0.5F));
+    const F8 measured_radius = m.depth * in.radius_scale / Max(facing, Broadcast(0.5F));
     const I8 fine = matched & (measured_radius < radius * in.max_radius_growth);
     const F8 total = confidence + weight;
     const F8 share = ZeroUnless(fine, weight / total);

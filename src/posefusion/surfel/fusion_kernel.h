@@ -17,9 +17,9 @@ struct FusionKernelInput {
   int width = 0;
   int height = 0;
   float fx = 0, fy = 0, cx = 0, cy = 0;
-  float rotation[9] = {};     ///< R_map_camera, row by row
-  float translation[3] = {};  ///< camera centre in the map
-  float color_rotation[9] = {};             ///< R_color_depth: to the camera of the colour image
+  float rotation[9] = {};        ///< R_map_camera, row by row
+  float translation[3] = {};     ///< camera centre in the map
+  float color_rotation[9] = {};  ///< R_color_depth: to the camera of the colour image
   float color_translation[3] = {};
   float min_depth_m = 0, max_depth_m = 0;
 

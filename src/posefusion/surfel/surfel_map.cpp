@@ -121,7 +121,7 @@ SurfelChunk& SurfelMap::Touch(std::uint32_t index) {
   return current;
 }
 
-void SurfelMap::Insert(const Surfel& surfel) {
+std::uint32_t SurfelMap::Insert(const Surfel& surfel) {
   const std::uint32_t index = ChunkWithRoom(KeyOf(surfel.position_m));
   ReserveSnapshot(index);
   SurfelChunk& target = Touch(index);
@@ -134,6 +134,7 @@ void SurfelMap::Insert(const Surfel& surfel) {
   target.box.Add(surfel.position_m);
   ++num_surfels_;
   GroupOf(index).box.Add(surfel.position_m);
+  return index;
 }
 
 void SurfelMap::Account(std::uint32_t index, int num_removed) {

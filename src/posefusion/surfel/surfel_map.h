@@ -60,8 +60,9 @@ class SurfelMap {
   /// Different chunks may be called for from different threads.
   SurfelChunk& Touch(std::uint32_t index);
 
-  /// Adds a surfel; its id is chosen here. May touch or add a chunk. One thread.
-  void Insert(const Surfel& surfel);
+  /// Adds a surfel, its id is chosen here, and returns its chunk. May touch or add that chunk.
+  /// One thread.
+  std::uint32_t Insert(const Surfel& surfel);
 
   /// Brings counts and the boxes of groups up to date with chunks that were changed through Touch.
   void Account(std::uint32_t index, int num_removed);

@@ -8,8 +8,9 @@ namespace posefusion {
 namespace {
 
 constexpr int kSamplesPerBlock = 2048;
-/// Fewer rows do not fix six unknowns reliably.
-constexpr double kMinRows = 200;
+/// Fewer rows, or a smaller share of the samples, do not fix six unknowns reliably.
+constexpr double kMinRows = 40;
+constexpr double kMinRowShare = 0.02;
 
 Matrix6d FullMatrix(const NormalEquations& sums) {
   Matrix6d A;
@@ -40,8 +41,6 @@ void SetSamples(const Samples& samples, ResidualInput& input) {
   input.end = samples.size;
 }
 
-
-
 /// RMS of residuals under Student-t weights.
 double RobustScale(double weighted_squares, double rows) {
   return rows > 0 ? std::sqrt(weighted_squares / rows) : 0;
@@ -52,17 +51,19 @@ double RobustScale(double weighted_squares, double rows) {
 Aligner::Aligner(const TrackingConfig& config, const DepthNoiseConfig& noise)
     : config_(config), noise_(noise) {}
 
-Alignment Aligner::Align(const FramePyramid& frame, const ModelView& view,
-                         const Start& start, const ParallelRunner& parallel) {
+Alignment Aligner::Align(const FramePyramid& frame, const ModelView& view, const Start& start,
+                         const ParallelRunner& parallel) {
   Alignment alignment;
   alignment.T_view_camera = start.T_view_camera;
+  const double meters = 1 / (config_.damping_sigma_m * config_.damping_sigma_m);
+  const double radians = 1 / (config_.damping_sigma_rad * config_.damping_sigma_rad);
+  alignment.damping.diagonal() << meters, meters, meters, radians, radians, radians;
   Scales scales;
   const int last = static_cast<int>(frame.levels.size()) - 1;
   const int coarsest = std::min(config_.coarsest_level, last);
   const int finest = std::min(config_.finest_level, coarsest);
   for (int level = coarsest; level >= finest; --level) {
     AlignLevel(frame, view, start, level, parallel, scales, alignment);
-    if (!alignment.solved) break;
   }
   alignment.T_view_camera = Orthonormalized(alignment.T_view_camera);
   return alignment;
@@ -124,7 +125,8 @@ void Aligner::UpdateScales(const ResidualSums& sums, Scales& scales) const {
 }
 
 void Aligner::AlignLevel(const FramePyramid& frame, const ModelView& view, const Start& start,
-                         int level, const ParallelRunner& parallel, Scales& scales, Alignment& alignment) {
+                         int level, const ParallelRunner& parallel, Scales& scales,
+                         Alignment& alignment) {
   const bool finest = level == std::min(config_.finest_level, config_.coarsest_level);
   SamplingOptions sampling;
   sampling.stride_px = finest ? config_.finest_stride_px : config_.coarsest_stride_px;
@@ -155,7 +157,8 @@ void Aligner::AlignLevel(const FramePyramid& frame, const ModelView& view, const
     alignment.icp_gradient = Eigen::Map<const Vector6d>(sums.icp.b);
     alignment.intensity_gradient = Eigen::Map<const Vector6d>(sums.intensity.b);
     alignment.solved = false;
-    if (sums.icp_rows + sums.intensity_rows < kMinRows) return;
+    if (sums.icp_rows + sums.intensity_rows < std::max(kMinRows, kMinRowShare * samples_.size))
+      return;
     const Eigen::LDLT<Matrix6d> ldlt(alignment.Information());
     const Vector6d step = -ldlt.solve(alignment.icp_gradient + alignment.intensity_gradient);
     if (ldlt.info() != Eigen::Success || !ldlt.isPositive() || !step.allFinite()) return;

@@ -14,16 +14,18 @@ namespace posefusion {
 
 /// Outcome of aligning a frame to a view. Rows and residuals are the finest level's last.
 struct Alignment {
-  Matrix6d Information() const { return icp_information + intensity_information; }
+  /// What was solved with: both kinds of residuals and the damping.
+  Matrix6d Information() const { return icp_information + intensity_information + damping; }
   Eigen::Isometry3d T_view_camera = Eigen::Isometry3d::Identity();
   /// A and b of the last iteration, for a left perturbation in the view.
   Matrix6d icp_information = Matrix6d::Zero();
   Matrix6d intensity_information = Matrix6d::Zero();
+  Matrix6d damping = Matrix6d::Zero();
   Vector6d icp_gradient = Vector6d::Zero();
   Vector6d intensity_gradient = Vector6d::Zero();
-  bool solved = false;                      ///< false: the equations had no solution
-  int num_samples = 0;                      ///< of the finest level
-  double valid_ratio = 0;                   ///< share of its pixels with depth
+  bool solved = false;     ///< false: the equations had no solution
+  int num_samples = 0;     ///< of the finest level
+  double valid_ratio = 0;  ///< share of its pixels with depth
   int num_icp_rows = 0;
   int num_intensity_rows = 0;
   double icp_scale = 0;  ///< robust RMS of point-to-plane residuals over the depth noise

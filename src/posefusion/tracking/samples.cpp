@@ -60,8 +60,7 @@ void RowFiller::Fill(int y, std::size_t i, Samples& s) const {
     const float z = depth[x];
     if (z <= 0) continue;
     Eigen::Vector3f p((static_cast<float>(x) - cx) * inverse_fx * z, ray_y * z, z);
-    Eigen::Vector3f n(level.normals.x.at(x, y), level.normals.y.at(x, y),
-                      level.normals.z.at(x, y));
+    Eigen::Vector3f n(level.normals.x.at(x, y), level.normals.y.at(x, y), level.normals.z.at(x, y));
     if (moves) {
       p = R * p + t;
       n = R * n;
@@ -99,8 +98,7 @@ void CollectSamples(const PyramidLevel& level, const SamplingOptions& options,
   const RowFiller filler{level, options};
   parallel.ForEachRange(num_rows, kRowsPerBlock, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
-      filler.Fill(row_of(i), static_cast<std::size_t>(first[static_cast<std::size_t>(i)]),
-                  samples);
+      filler.Fill(row_of(i), static_cast<std::size_t>(first[static_cast<std::size_t>(i)]), samples);
     }
   });
 }

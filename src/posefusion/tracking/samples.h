@@ -21,8 +21,8 @@ struct Samples {
 
 /// Which pixels become samples, and how.
 struct SamplingOptions {
-  int stride_px = 1;           ///< every stride-th pixel of every stride-th row that has depth
-  double sigma_floor_m = 0;    ///< added to the depth noise (root of the sum of squares)
+  int stride_px = 1;         ///< every stride-th pixel of every stride-th row that has depth
+  double sigma_floor_m = 0;  ///< added to the depth noise (root of the sum of squares)
   DepthNoiseConfig noise;
   /// Where the camera was when the depth was measured, seen from where it was when the colour
   /// image was taken. Points and normals are brought to the latter, and intensities are those of

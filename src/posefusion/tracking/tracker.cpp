@@ -9,6 +9,21 @@
 
 namespace posefusion {
 
+namespace {
+
+constexpr char kTooLittleDepth[] = "too little depth";
+
+/// Share of the pixels that have depth.
+double ValidRatio(const Grid<float>& depth_m) {
+  int valid = 0;
+  for (int y = 0; y < depth_m.height(); ++y) {
+    for (int x = 0; x < depth_m.width(); ++x) valid += depth_m.at(x, y) > 0 ? 1 : 0;
+  }
+  return static_cast<double>(valid) / (depth_m.width() * depth_m.height());
+}
+
+}  // namespace
+
 const char* ToString(TrackingHealth health) {
   switch (health) {
     case TrackingHealth::kInitialized:
@@ -27,12 +42,17 @@ Tracker::Tracker(const TrackingConfig& config, const DepthNoiseConfig& noise)
     : config_(config), aligner_(config, noise) {}
 
 TrackingResult Tracker::Start(const FramePyramid& frame, const Eigen::Isometry3d& T_map_camera) {
+  TrackingResult result;
+  result.T_map_camera = T_map_camera;
+  result.valid_ratio = ValidRatio(frame.levels.back().depth_m);
+  if (result.valid_ratio < config_.min_valid_ratio) {
+    result.failure = kTooLittleDepth;
+    return result;
+  }
   T_map_camera_ = T_map_camera;
   T_last_step_.setIdentity();
   recent_.clear();
   Remember(frame);
-  TrackingResult result;
-  result.T_map_camera = T_map_camera;
   result.health = TrackingHealth::kInitialized;
   return result;
 }
@@ -41,7 +61,7 @@ TrackingResult Tracker::Track(const FramePyramid& frame, const ModelView& view,
                               const ParallelRunner& parallel) {
   const Eigen::Isometry3d T_view_last = view.T_map_camera.inverse() * T_map_camera_;
   Aligner::Start start;
-  
+
   start.T_view_camera = T_view_last * Guess(frame);
   const double lag_s = config_.depth_lag_s + SecondsBetween(frame.depth_stamp_ns, frame.stamp_ns);
   start.T_color_depth = ExpSE3(-lag_s * Velocity());
@@ -99,7 +119,7 @@ TrackingResult Tracker::Judge(const Alignment& alignment, const ModelView& view)
   }
   const Eigen::Isometry3d T_step = T_map_camera_.inverse() * result.T_map_camera;
   if (alignment.valid_ratio < config_.min_valid_ratio) {
-    result.failure = "too little depth";
+    result.failure = kTooLittleDepth;
   } else if (!alignment.solved) {
     result.failure = "too few correspondences";
   } else if (result.inlier_ratio < config_.min_inlier_ratio) {

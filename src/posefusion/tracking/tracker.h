@@ -15,7 +15,7 @@ class Tracker {
  public:
   Tracker(const TrackingConfig& config, const DepthNoiseConfig& noise);
 
-  /// The first frame: remembers its image, calls the pose good.
+  /// The first frame: its pose is the given one. Failed when it has too little depth.
   TrackingResult Start(const FramePyramid& frame, const Eigen::Isometry3d& T_map_camera);
 
   /// Aligns a frame to the view predicted from the last good pose. A failed result leaves the last

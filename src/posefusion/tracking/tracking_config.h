@@ -44,13 +44,15 @@ struct TrackingConfig {
   double intensity_distance_m = 0.07;   ///< photometric pixels lie this close to the model
   double intensity_sigma_floor = 4.0;   ///< least scale of photometric residuals, grey levels
   double intensity_min_gradient = 1.0;  ///< flatter pixels say nothing, grey levels per pixel
-  double depth_lag_s = 0.0;          ///< depth is older than its stamp says, relative to colour
-  int velocity_frames = 3;           ///< camera velocity is the mean over so many frames
+  double depth_lag_s = 0.0;             ///< depth is older than its stamp says, relative to colour
+  int velocity_frames = 3;              ///< camera velocity is the mean over so many frames
+  double damping_sigma_m = 0.3;         ///< holds directions that nothing else determines ...
+  double damping_sigma_rad = 0.3;       ///< ... at the guess
   double student_t_dof = 5.0;           ///< of the robust weights, Kerl et al. 2013
   bool estimate_brightness = true;      ///< follow exposure changes by a common offset
   double min_inlier_ratio = 0.25;       ///< below, the frame is not tracked
   double min_valid_ratio = 0.05;        ///< share of pixels with depth below which nothing is tried
-  double max_icp_rms_sigmas = 10.0;      ///< residuals of more depth noise sigmas: not tracked
+  double max_icp_rms_sigmas = 10.0;     ///< residuals of more depth noise sigmas: not tracked
   double max_translation_m = 0.3;       ///< faster motion between two frames is not believed
   double max_rotation_rad = 0.6;        ///< nor faster rotation
   double weak_sigma_m = 0.02;           ///< pose uncertain by more than this: health kWeak
@@ -79,6 +81,8 @@ void Describe(V& v, TrackingConfig& c) {
   v.Field("intensity_min_gradient", c.intensity_min_gradient, 0.0, 100.0);
   v.Field("depth_lag_s", c.depth_lag_s, -0.2, 0.2);
   v.Field("velocity_frames", c.velocity_frames, 1, 30);
+  v.Field("damping_sigma_m", c.damping_sigma_m, 1e-3, 1e3);
+  v.Field("damping_sigma_rad", c.damping_sigma_rad, 1e-3, 1e3);
   v.Field("student_t_dof", c.student_t_dof, 1.0, 1e6);
   v.Field("estimate_brightness", c.estimate_brightness);
   v.Field("min_inlier_ratio", c.min_inlier_ratio, 0.0, 1.0);

@@ -1,0 +1,117 @@
+#include "posefusion/pipeline/offline_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <numeric>
+#include <optional>
+
+#include "posefusion/pipeline/slam.h"
+
+namespace posefusion {
+namespace {
+
+/// The steps that every frame goes through, and their records.
+class Runner {
+ public:
+  Runner(const SystemConfig& config, int num_threads, OfflineRun& run)
+      : blur_filter_(config.blur_filter), slam_(config.mapping, num_threads), run_(run) {}
+
+  void Process(const RgbdFrame& frame) {
+    clock_.Clear();
+    if (IsBlurred(frame)) {
+      Record(frame.stamp_ns, FrameState::kDroppedBlur, clock_.times());
+      return;
+    }
+    const FrameResult result = slam_.ProcessFrame(frame);
+    std::vector<StageTime> times = clock_.times();
+    times.insert(times.end(), result.stage_times.begin(), result.stage_times.end());
+    if (result.HasPose()) {
+      run_.trajectory_live.push_back({frame.stamp_ns, result.tracking.T_map_camera});
+    }
+    Record(frame.stamp_ns, result.HasPose() ? FrameState::kTracked : FrameState::kLost, times);
+  }
+
+  void Finish() {
+    run_.trajectory = slam_.trajectory();
+    run_.map = slam_.ExportMap(slam_.config().export_min_confidence);
+    run_.num_surfels = slam_.NumSurfels();
+  }
+
+ private:
+  bool IsBlurred(const RgbdFrame& frame) {
+    const auto scope = clock_.Measure("blur");
+    return !blur_filter_.Judge(frame.rgb).keep;
+  }
+
+  void Record(StampNs stamp_ns, FrameState state, const std::vector<StageTime>& times) {
+    run_.frames.push_back({stamp_ns, state});
+    double total = 0;
+    for (const StageTime& time : times) {
+      run_.stage_ms[time.stage].push_back(time.milliseconds);
+      total += time.milliseconds;
+    }
+    run_.frame_ms.push_back(total);
+  }
+
+  BlurFilter blur_filter_;
+  Slam slam_;
+  StageClock clock_;
+  OfflineRun& run_;
+};
+
+/// The next frame; errors are reported and skipped.
+std::optional<RgbdFrame> NextGood(FrameSource& source, const OfflineRunHooks& hooks,
+                                  OfflineRun& run) {
+  while (!hooks.should_stop()) {
+    try {
+      return source.Next();
+    } catch (const std::exception& error) {
+      run.errors.emplace_back(error.what());
+      hooks.on_error(error.what());
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+const char* ToString(FrameState state) {
+  switch (state) {
+    case FrameState::kTracked:
+      return "tracked";
+    case FrameState::kLost:
+      return "lost";
+    case FrameState::kDroppedBlur:
+      return "dropped_blur";
+  }
+  return "unknown";
+}
+
+int OfflineRun::Count(FrameState state) const {
+  return static_cast<int>(
+      std::count_if(frames.begin(), frames.end(),
+                    [state](const FrameRecord& frame) { return frame.state == state; }));
+}
+
+OfflineRun RunOffline(FrameSource& source, const SystemConfig& config, int num_threads,
+                      const OfflineRunHooks& hooks) {
+  CheckRanges("", config);
+  const auto start = std::chrono::steady_clock::now();
+  OfflineRun run;
+  Runner runner(config, num_threads, run);
+  while (const auto frame = NextGood(source, hooks, run)) {
+    try {
+      runner.Process(*frame);
+    } catch (const std::exception& error) {
+      run.errors.emplace_back(error.what());
+      hooks.on_error(error.what());
+    }
+    hooks.on_frame(static_cast<int>(run.frames.size()));
+  }
+  runner.Finish();
+  run.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return run;
+}
+
+}  // namespace posefusion

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "posefusion/common/trajectory.h"
+#include "posefusion/dataset/frame_source.h"
+#include "posefusion/pipeline/system_config.h"
+#include "posefusion/surfel/surfel_cloud.h"
+
+namespace posefusion {
+
+/// What became of a frame.
+enum class FrameState { kTracked, kLost, kDroppedBlur };
+
+const char* ToString(FrameState state);
+
+struct FrameRecord {
+  StampNs stamp_ns = 0;
+  FrameState state = FrameState::kLost;
+};
+
+/// Everything that a run over a source gives.
+struct OfflineRun {
+  Trajectory trajectory;       ///< final poses, frames with a valid pose only
+  Trajectory trajectory_live;  ///< each pose as it was known when its frame was processed
+  SurfelCloud map;
+  std::vector<FrameRecord> frames;
+  std::map<std::string, std::vector<double>> stage_ms;  ///< a sample per frame
+  std::vector<double> frame_ms;                         ///< all stages of a frame, no decoding
+  std::size_t num_surfels = 0;                          ///< in the map, exported or not
+  double wall_s = 0;
+  std::vector<std::string> errors;  ///< of frames that could not be read
+
+  int Count(FrameState state) const;
+};
+
+/// Hooks of whoever runs it.
+struct OfflineRunHooks {
+  std::function<bool()> should_stop = [] { return false; };  ///< asked before each frame
+  std::function<void(int)> on_frame = [](int) {};            ///< frames done
+  std::function<void(const std::string&)> on_error = [](const std::string&) {};
+};
+
+/// Runs the whole system over a source, synchronously: the same frames and configuration give the
+/// same result bit by bit for any number of threads. Frames that cannot be read or used are
+/// reported and left out.
+/// @throws std::invalid_argument naming the key of a value out of range.
+OfflineRun RunOffline(FrameSource& source, const SystemConfig& config, int num_threads,
+                      const OfflineRunHooks& hooks = {});
+
+}  // namespace posefusion

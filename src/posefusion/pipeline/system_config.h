@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "posefusion/image/blur_filter.h"
+#include "posefusion/pipeline/slam_config.h"
+
+namespace posefusion {
+
+/// Every value of a run, one group per nodelet.
+struct SystemConfig {
+  BlurFilterConfig blur_filter;
+  SlamConfig mapping;
+};
+
+template <class V>
+void Describe(V& v, SystemConfig& c) {
+  v.Group("blur_filter", c.blur_filter);
+  v.Group("mapping", c.mapping);
+}
+
+/// The defaults, overlaid by yaml files in their order (files of config/presets and
+/// config/datasets, or a user's own).
+/// @throws std::invalid_argument naming file and full key for what cannot be used.
+SystemConfig LoadSystemConfig(const std::vector<std::string>& yaml_paths);
+
+}  // namespace posefusion

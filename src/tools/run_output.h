@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "posefusion/pipeline/offline_run.h"
+
+namespace posefusion {
+
+/// Makes the folder and proves that it can be written to.
+/// @throws std::runtime_error naming the folder and the system's reason.
+void PrepareOutputFolder(const std::string& folder);
+
+/// Writes trajectory.txt, trajectory_live.txt, frames.txt, map.ply and report.json. Every file that
+/// can be written is written. @throws std::runtime_error naming the first that could not.
+void WriteRunOutput(const OfflineRun& run, const SystemConfig& config, const std::string& folder);
+
+/// report.json as text.
+std::string ReportJson(const OfflineRun& run, const SystemConfig& config);
+
+}  // namespace posefusion

@@ -1,0 +1,152 @@
+#include "posefusion/pipeline/slam.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <opencv2/core.hpp>
+#include <stdexcept>
+
+#include "test/support/rendered_source.h"
+
+namespace posefusion {
+namespace {
+
+using testing::RenderedSource;
+using testing::SwayingPose;
+
+constexpr int kTwoThreads = 2;
+
+/// Error of the motion since the first frame.
+double TranslationError(const Trajectory& trajectory, int i) {
+  const Eigen::Isometry3d truth = SwayingPose(0).inverse() * SwayingPose(i);
+  const Eigen::Isometry3d estimate = trajectory.front().T_map_camera.inverse() *
+                                     trajectory[static_cast<std::size_t>(i)].T_map_camera;
+  return (truth.translation() - estimate.translation()).norm();
+}
+
+RgbdFrame WithoutDepth(RgbdFrame frame) {
+  frame.depth_m = cv::Mat(frame.depth_m.size(), CV_32FC1, cv::Scalar::all(0));
+  return frame;
+}
+
+TEST(Slam, FollowsARenderedWalk) {
+  Slam slam(SlamConfig(), kTwoThreads);
+  RenderedSource source(60);
+  while (const auto frame = source.Next()) {
+    EXPECT_TRUE(slam.ProcessFrame(*frame).HasPose());
+  }
+  ASSERT_EQ(slam.trajectory().size(), 60U);
+  for (int i = 0; i < 60; ++i) EXPECT_LT(TranslationError(slam.trajectory(), i), 0.01) << i;
+}
+
+TEST(Slam, StartsLevelAtTheOrigin) {
+  Slam slam(SlamConfig(), kTwoThreads);
+  const FrameResult first = slam.ProcessFrame(*RenderedSource(1).Next());
+  EXPECT_EQ(first.tracking.health, TrackingHealth::kInitialized);
+  EXPECT_TRUE(first.tracking.T_map_camera.translation().isZero());
+  // The camera looks along x, its image's down is the map's minus z.
+  EXPECT_TRUE((first.tracking.T_map_camera.linear() * Eigen::Vector3d::UnitZ())
+                  .isApprox(Eigen::Vector3d::UnitX()));
+  EXPECT_TRUE((first.tracking.T_map_camera.linear() * Eigen::Vector3d::UnitY())
+                  .isApprox(-Eigen::Vector3d::UnitZ()));
+}
+
+TEST(Slam, FramesWithoutDepthAreLostAndTheNextIsFound) {
+  Slam slam(SlamConfig(), kTwoThreads);
+  RenderedSource source(20);
+  for (int i = 0; i < 20; ++i) {
+    const RgbdFrame frame = *source.Next();
+    const bool blind = i >= 8 && i < 12;
+    const std::size_t surfels = slam.NumSurfels();
+    const FrameResult result = slam.ProcessFrame(blind ? WithoutDepth(frame) : frame);
+    EXPECT_EQ(result.HasPose(), !blind) << i;
+    EXPECT_EQ(result.fused, !blind);
+    if (blind) {
+      EXPECT_EQ(slam.NumSurfels(), surfels);
+    }
+  }
+  EXPECT_EQ(slam.trajectory().size(), 16U);
+}
+
+TEST(Slam, WaitsForTheFirstFrameWithDepth) {
+  Slam slam(SlamConfig(), kTwoThreads);
+  RenderedSource source(4);
+  EXPECT_FALSE(slam.ProcessFrame(WithoutDepth(*source.Next())).HasPose());
+  EXPECT_FALSE(slam.ProcessFrame(WithoutDepth(*source.Next())).HasPose());
+  EXPECT_EQ(slam.ProcessFrame(*source.Next()).tracking.health, TrackingHealth::kInitialized);
+  EXPECT_EQ(slam.ProcessFrame(*source.Next()).tracking.health, TrackingHealth::kGood);
+}
+
+TEST(Slam, NotANumberAndInfiniteDepthAreNoDepth) {
+  Slam slam(SlamConfig(), kTwoThreads);
+  RenderedSource source(10);
+  while (auto frame = source.Next()) {
+    for (int x = 0; x < 160; x += 3) {
+      frame->depth_m.at<float>(50, x) = std::numeric_limits<float>::quiet_NaN();
+      frame->depth_m.at<float>(51, x) = std::numeric_limits<float>::infinity();
+      frame->depth_m.at<float>(52, x) = -1;
+    }
+    const FrameResult result = slam.ProcessFrame(*frame);
+    EXPECT_TRUE(result.HasPose());
+    EXPECT_TRUE(result.tracking.T_map_camera.matrix().allFinite());
+  }
+  for (const Eigen::Vector3f& p : slam.ExportMap(0).position_m) EXPECT_TRUE(p.allFinite());
+}
+
+TEST(Slam, RefusesFramesThatDoNotFit) {
+  Slam slam(SlamConfig(), kTwoThreads);
+  RenderedSource source(3);
+  const RgbdFrame first = *source.Next();
+  const RgbdFrame second = *source.Next();
+  slam.ProcessFrame(second);
+  EXPECT_THROW(slam.ProcessFrame(first), std::invalid_argument);   // backwards
+  EXPECT_THROW(slam.ProcessFrame(second), std::invalid_argument);  // twice
+  RgbdFrame third = *source.Next();
+  const RgbdFrame good = third;
+  third.depth_m = third.depth_m(cv::Rect(0, 0, 80, 60)).clone();
+  EXPECT_THROW(slam.ProcessFrame(third), std::invalid_argument);
+  third = good;
+  third.camera.fx += 1;
+  EXPECT_THROW(slam.ProcessFrame(third), std::invalid_argument);
+  EXPECT_THROW(slam.ProcessFrame(good, cv::Mat(10, 10, CV_8UC1)), std::invalid_argument);
+  EXPECT_TRUE(slam.ProcessFrame(good).HasPose());  // nothing of it did harm
+}
+
+TEST(Slam, ResetStartsAnew) {
+  Slam slam(SlamConfig(), kTwoThreads);
+  RenderedSource source(5);
+  while (const auto frame = source.Next()) slam.ProcessFrame(*frame);
+  slam.Reset();
+  EXPECT_EQ(slam.NumSurfels(), 0U);
+  EXPECT_TRUE(slam.trajectory().empty());
+  EXPECT_TRUE(slam.ModelImage().empty());
+  EXPECT_TRUE(slam.ProcessFrame(*RenderedSource(1).Next()).HasPose());  // an earlier stamp is fine
+}
+
+TEST(Slam, RefusesValuesOutOfRangeByTheirFullKey) {
+  SlamConfig config;
+  config.tracking.so3.max_iterations = -1;
+  try {
+    const Slam slam(config, 1);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("mapping.tracking.so3.max_iterations"),
+              std::string::npos);
+  }
+}
+
+TEST(Slam, ModelImageShowsTheRoom) {
+  Slam slam(SlamConfig(), kTwoThreads);
+  RenderedSource source(5);
+  RgbdFrame last;
+  while (const auto frame = source.Next()) {
+    slam.ProcessFrame(*frame);
+    last = *frame;
+  }
+  cv::Mat difference;
+  cv::absdiff(slam.ModelImage(), last.rgb, difference);
+  EXPECT_LT(cv::mean(difference.reshape(1))[0], 12);  // grey levels
+}
+
+}  // namespace
+}  // namespace posefusion
