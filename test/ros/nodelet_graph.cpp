@@ -7,7 +7,6 @@
 
 #include "posefusion_ros/conversions.h"
 #include "posefusion_ros/topic_names.h"
-#include "test/ros/synthetic_room.h"
 
 namespace posefusion {
 namespace {

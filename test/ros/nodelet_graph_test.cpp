@@ -16,11 +16,10 @@
 #include "posefusion/common/atomic_file.h"
 #include "posefusion/dataset/trajectory_file.h"
 #include "posefusion/dataset/tum_folder_source.h"
-#include "posefusion/pipeline/slam.h"
+#include "posefusion/pipeline/offline_run.h"
 #include "posefusion_ros/bag_source.h"
 #include "posefusion_ros/bag_writer.h"
 #include "posefusion_ros/conversions.h"
-#include "posefusion_ros/nodelets/blur_filter_config.h"
 #include "posefusion_ros/topic_names.h"
 #include "test/ros/synthetic_room.h"
 #include "test/support/temporary_folder.h"
@@ -32,7 +31,7 @@ namespace {
 using testing::HasSubstr;
 
 constexpr StampNs kSecondNs = 1'000'000'000;
-constexpr StampNs kStart = 1000 * kSecondNs;
+constexpr StampNs kStart = kSyntheticStartNs;
 
 /// Collects the messages of a topic.
 template <class Message>
@@ -81,15 +80,11 @@ sensor_msgs::ImagePtr Blurred(const sensor_msgs::Image& image) {
   return copy;
 }
 
-/// The trajectory file that the core makes of a bag without any nodelet.
+/// The trajectory file that run_dataset makes of a bag, without any nodelet.
 std::string DirectTrajectory(const std::string& bag, const TemporaryFolder& folder) {
   BagSource source(bag);
-  BlurFilter filter((BlurFilterConfig()));
-  Slam slam(SlamConfig(), 1);
-  while (const auto frame = source.Next()) {
-    if (filter.Judge(frame->rgb).keep) slam.ProcessFrame(*frame);
-  }
-  WriteTrajectory(slam.trajectory(), folder / "direct.txt");
+  const OfflineRun run = RunOffline(source, SystemConfig(), 1);
+  WriteTrajectory(run.trajectory, folder / "direct.txt");
   return ReadWholeFile(folder / "direct.txt");
 }
 
@@ -146,7 +141,7 @@ TEST(NodeletGraph, BlurredFramesStayOut) {
   EXPECT_EQ(rgb.size(), 9U);
 }
 
-TEST(NodeletGraph, FedSlowlyGivesTheTrajectoryOfTheCore) {
+TEST(NodeletGraph, FedSlowlyGivesTheTrajectoryOfRunDataset) {
   const TemporaryFolder folder;
   {
     BagWriter writer(folder / "room.bag", "camera_rgb_optical_frame");
@@ -158,7 +153,7 @@ TEST(NodeletGraph, FedSlowlyGivesTheTrajectoryOfTheCore) {
   EXPECT_EQ(GraphTrajectory(folder / "room.bag", folder), direct);
 }
 
-TEST(NodeletGraph, FedSlowlyGivesTheTrajectoryOfTheCoreOnRealData) {
+TEST(NodeletGraph, FedSlowlyGivesTheTrajectoryOfRunDatasetOnRealData) {
   SKIP_WITHOUT_DATA("fr1_xyz");
   const TemporaryFolder folder;
   {
