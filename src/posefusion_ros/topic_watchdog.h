@@ -16,10 +16,10 @@ class TopicWatchdog {
   void NoteMessage(std::size_t topic, double now_s) { last_message_s_[topic] = now_s; }
   void NoteFrame(double now_s);
 
-  /// A line after `limit_s` without a frame, then after pauses that double: each topic that has
-  /// been silent for `limit_s`, or, when all of them speak but no frame comes out, that their
-  /// stamps do not fit. `closest_miss_s` is the smallest difference between the stamps of colour
-  /// and depth that wait for each other.
+  /// A line after `limit_s` without a frame, then after pauses that double: each topic that is
+  /// silent, or, when all of them speak but no frame comes out, that their stamps do not fit.
+  /// `closest_miss_s` is the smallest difference between the stamps of colour and depth that wait
+  /// for each other.
   std::optional<std::string> Complaint(double now_s, std::optional<double> closest_miss_s);
 
  private:
