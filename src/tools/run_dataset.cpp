@@ -1,15 +1,18 @@
 // Runs the whole system over recorded frames: trajectory, map and report out.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "interrupt.h"
+#include "posefusion/common/stage_clock.h"
 #include "posefusion/dataset/prefetched_source.h"
 #include "posefusion/dataset/tum_folder_source.h"
 #include "posefusion/pipeline/offline_run.h"
