@@ -99,4 +99,12 @@ RgbdMessages SyntheticMessages(int index, StampNs start_ns) {
   return messages;
 }
 
+RgbdMessages PairedMessages(int index, StampNs start_ns) {
+  RgbdMessages messages = SyntheticMessages(index, start_ns);
+  auto depth = boost::make_shared<sensor_msgs::Image>(*messages.depth);
+  depth->header.stamp = messages.rgb->header.stamp;
+  messages.depth = depth;
+  return messages;
+}
+
 }  // namespace posefusion

@@ -57,4 +57,7 @@ class NodeletGraph {
 /// Messages of SyntheticFrame.
 RgbdMessages SyntheticMessages(int index, StampNs start_ns = kSyntheticStartNs);
 
+/// The same with depth and colour at one stamp, so that a pair is decided at once.
+RgbdMessages PairedMessages(int index, StampNs start_ns = kSyntheticStartNs);
+
 }  // namespace posefusion
