@@ -7,7 +7,11 @@ namespace posefusion {
 SystemConfig LoadSystemConfig(const std::vector<std::string>& yaml_paths) {
   SystemConfig config;
   for (const std::string& path : yaml_paths) {
-    const YAML::Node node = LoadYamlFile(path);
+    YAML::Node node = LoadYamlFile(path);
+    for (const char* group : {"blur_filter", "mapping"}) {
+      // The nodelets' own parameters may stand in the same file.
+      if (node.IsMap() && node[group] && node[group].IsMap()) node[group].remove("ros");
+    }
     try {
       ApplyYaml(node, "", config);
     } catch (const std::invalid_argument& error) {

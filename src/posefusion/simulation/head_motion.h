@@ -5,7 +5,8 @@
 namespace posefusion {
 
 /// Where the simulated robot's head camera is, as a smooth deterministic function of time.
-/// Map frame: z up, floor at z = 0, metres. Camera: RGB optical frame. Time: seconds from the start.
+/// Map frame: z up, floor at z = 0, metres. Camera: RGB optical frame. Time: seconds from the
+/// start.
 class HeadMotion {
  public:
   virtual ~HeadMotion() = default;
