@@ -11,8 +11,8 @@ namespace posefusion {
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    path_ = testing::TempDir() + "posefusion_" + info->test_suite_name() + "." + info->name();
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    path_ = ::testing::TempDir() + "posefusion_" + info->test_suite_name() + "." + info->name();
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }
