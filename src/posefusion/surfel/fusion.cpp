@@ -69,7 +69,6 @@ FusionKernelInput MakeInput(const FusionConfig& config, const DepthNoiseConfig& 
     in.color_translation[r] = static_cast<float>(T_color_depth(r, 3));
   }
   in.min_depth_m = 0.1F;
-  in.max_depth_m = 1e6F;
   in.association_distance_m = static_cast<float>(config.association_distance_m);
   in.association_sigmas = static_cast<float>(config.association_sigmas);
   in.association_cosine = static_cast<float>(std::cos(config.association_angle_rad));
