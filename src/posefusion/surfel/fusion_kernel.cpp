@@ -157,15 +157,13 @@ POSEFUSION_INLINE void BlendColor(const FusionKernelInput& in, const Vector& p, 
   const Vector turned = Rotate(in.color_rotation, p);
   const PixelLanes pixel = ProjectLanes(in, {turned.x + t[0], turned.y + t[1], turned.z + t[2]}, 0);
   const I8 index = pixel.v * in.width + pixel.u;
-  F8 measured[3] = {};
-  for (int i = 0; i < kLanes; ++i) {
-    for (int c = 0; c < 3; ++c) measured[c][i] = static_cast<float>(in.rgb[3 * index[i] + c]);
-  }
   const F8 color_share = ZeroUnless(pixel.inside, Min(share * in.color_rate, Broadcast(1)));
   float* const channels[3] = {s.red + first, s.green + first, s.blue + first};
   for (int c = 0; c < 3; ++c) {
+    F8 measured = Broadcast(0);
+    for (int i = 0; i < kLanes; ++i) measured[i] = static_cast<float>(in.rgb[3 * index[i] + c]);
     const F8 stored = Load(channels[c]);
-    Store(channels[c], stored + color_share * (measured[c] - stored));
+    Store(channels[c], stored + color_share * (measured - stored));
   }
 }
 
