@@ -84,7 +84,7 @@ void PyramidBuilder::Build(const RgbdFrame& frame, const cv::Mat& mask,
   pyramid.depth_stamp_ns = frame.depth_stamp_ns;
   pyramid.rgb = frame.rgb;
   pyramid.raw_depth_m.Resize(width, height);
-  pyramid.levels.resize(static_cast<std::size_t>(config_.num_levels));
+  pyramid.levels.resize(static_cast<std::size_t>(frame.camera.UsefulLevels(config_.num_levels)));
   for (std::size_t l = 0; l < pyramid.levels.size(); ++l) {
     PyramidLevel& level = pyramid.levels[l];
     level.camera = frame.camera.AtLevel(static_cast<int>(l));

@@ -10,13 +10,12 @@ namespace {
 constexpr int kRowsPerBlock = 16;
 
 /// Central differences along a row; value below 0 where a neighbour is missing.
-void FillRow(const float* up, const float* row, const float* down, int width,
-             ModelIntensity* out) {
+void FillRow(const float* up, const float* row, const float* down, int width, ModelIntensity* out) {
   out[0] = ModelIntensity{};
   out[width - 1] = ModelIntensity{};
   for (int x = 1; x + 1 < width; ++x) {
-    const float lowest = std::min(
-        std::min(std::min(row[x - 1], row[x + 1]), std::min(up[x], down[x])), row[x]);
+    const float lowest =
+        std::min(std::min(std::min(row[x - 1], row[x + 1]), std::min(up[x], down[x])), row[x]);
     out[x].value = lowest < 0 ? kNoIntensity : row[x];
     out[x].gradient_x = 0.5F * (row[x + 1] - row[x - 1]);
     out[x].gradient_y = 0.5F * (down[x] - up[x]);
@@ -43,7 +42,7 @@ void FillLevel(const Grid<float>& values, const ParallelRunner& parallel,
 }  // namespace
 
 void BuildIntensityLevels(int num_levels, const ParallelRunner& parallel, ModelView& view) {
-  const auto count = static_cast<std::size_t>(num_levels);
+  const auto count = static_cast<std::size_t>(view.camera.UsefulLevels(num_levels));
   view.intensity_levels.resize(count);
   view.halved_intensity.resize(count);
   for (std::size_t l = 0; l < count; ++l) {
