@@ -65,15 +65,18 @@ std::vector<SuiteAggregate> Aggregate(const std::vector<JobOutcome>& outcomes) {
   std::vector<SuiteAggregate> aggregates;
   std::vector<std::vector<const Figures*>> jobs;
   for (const JobOutcome& outcome : outcomes) {
-    if (outcome.result.state != JobState::kDone) continue;
     const auto found =
         std::find_if(aggregates.begin(), aggregates.end(),
                      [&](const SuiteAggregate& a) { return IsSameBesideSeed(a, outcome.job); });
     const auto index = static_cast<std::size_t>(found - aggregates.begin());
     if (found == aggregates.end()) {
-      aggregates.push_back({outcome.job.name, outcome.job.source_template, outcome.job.preset, {}});
+      const SuiteJob& job = outcome.job;
+      aggregates.push_back({job.name, job.source_template, job.preset, 0, 0, {}});
       jobs.emplace_back();
     }
+    ++aggregates[index].num_jobs;
+    if (outcome.result.state != JobState::kDone) continue;
+    ++aggregates[index].num_done;
     jobs[index].push_back(&outcome.figures);
   }
   for (std::size_t i = 0; i < aggregates.size(); ++i) aggregates[i].figures = SummarizeAll(jobs[i]);

@@ -24,7 +24,7 @@ Figures ReadFigures(const std::string& folder);
 struct JobOutcome {
   SuiteJob job;
   JobResult result;
-  Figures figures;  ///< of a job that is done
+  Figures figures;  ///< of a failed job those that it has written before
 };
 
 /// Median and maximum of a figure over the seeds.
@@ -34,11 +34,13 @@ struct FigureSummary {
   double max = 0;
 };
 
-/// All numeric figures of the jobs that differ only in their seed and are done.
+/// Jobs that differ only in their seed, and all numeric figures of those that are done.
 struct SuiteAggregate {
   std::string name;
   std::string source_template;
   std::string preset;
+  int num_jobs = 0;
+  int num_done = 0;
   std::map<std::string, FigureSummary> figures;
 };
 

@@ -56,10 +56,9 @@ Json JobJson(const JobOutcome& outcome) {
 }
 
 Json AggregateJson(const SuiteAggregate& aggregate) {
-  Json json = {{"name", aggregate.name},
-               {"source", aggregate.source_template},
-               {"preset", aggregate.preset},
-               {"figures", Json::object()}};
+  Json json = {{"name", aggregate.name},     {"source", aggregate.source_template},
+               {"preset", aggregate.preset}, {"jobs", aggregate.num_jobs},
+               {"done", aggregate.num_done}, {"figures", Json::object()}};
   for (const auto& [key, summary] : aggregate.figures) {
     json["figures"][key] = {
         {"count", summary.count}, {"median", summary.median}, {"max", summary.max}};
@@ -129,12 +128,14 @@ std::string SuiteTable(const std::vector<SuiteAggregate>& aggregates) {
     std::snprintf(cell.data(), cell.size(), "%*s ", width, text.c_str());
     line += cell.data();
   };
-  std::string table = "median (max) over the seeds\n";
+  std::string table = "median (max) over the seeds that are done\n";
   add(table, -28, "run / preset");
+  add(table, 8, "done");
   for (const TableColumn& column : kColumns) add(table, 18, column.title);
   for (const SuiteAggregate& aggregate : aggregates) {
     table += "\n";
     add(table, -28, aggregate.name + " / " + aggregate.preset);
+    add(table, 8, std::to_string(aggregate.num_done) + "/" + std::to_string(aggregate.num_jobs));
     for (const TableColumn& column : kColumns) add(table, 18, CellText(aggregate, column));
     table += " " + aggregate.source_template;
   }

@@ -50,8 +50,7 @@ class Runner {
 
   std::vector<JobOutcome> Run() {
     FindWhatIsDone();
-    options_.say(std::to_string(outcomes_.size()) + " jobs, " + std::to_string(num_done_) +
-                 " already done; about " + DurationText(time_.RemainingS()) + " for the rest");
+    options_.say(EstimateText());
     std::vector<std::thread> threads;
     for (int i = 0; i < options_.num_parallel; ++i) threads.emplace_back([this] { Work(); });
     for (std::thread& thread : threads) thread.join();
@@ -73,6 +72,16 @@ class Runner {
         pending_.push_back(i);
       }
     }
+  }
+
+  std::string EstimateText() const {
+    std::string text = std::to_string(outcomes_.size()) + " jobs, " + std::to_string(num_done_) +
+                       " already done; about " + DurationText(time_.RemainingS()) + " for the rest";
+    const auto num_unknown = std::count_if(pending_.begin(), pending_.end(), [&](std::size_t i) {
+      return !NumFrames(outcomes_[i].job).has_value();
+    });
+    if (num_unknown > 0) text += " (" + std::to_string(num_unknown) + " of unknown length)";
+    return text;
   }
 
   /// The next job to do; null when there is none or no more are wanted.
@@ -110,12 +119,12 @@ class Runner {
   }
 
   void AddFigures(JobOutcome& outcome) const {
-    if (outcome.result.state != JobState::kDone) return;
+    if (outcome.result.state == JobState::kStopped) return;
     try {
       outcome.figures = ReadFigures(JobFolder(options_.out, outcome.job));
     } catch (const std::exception& error) {
       outcome.result.state = JobState::kFailed;
-      outcome.result.problem = error.what();
+      if (outcome.result.problem.empty()) outcome.result.problem = error.what();
     }
   }
 

@@ -157,6 +157,9 @@ TEST_F(EvaluateSuiteTest, FailedJobsNameTheirLogAndTheOthersGoOn) {
   EXPECT_THAT(ReadWholeFile(log), HasSubstr("cannot do it"));
   EXPECT_EQ(Result()["jobs"][0]["state"], "failed");
   EXPECT_EQ(Result()["jobs"][1]["state"], "done");
+  EXPECT_EQ(Result()["jobs"][2]["state"], "failed");
+  EXPECT_EQ(Result()["jobs"][2]["figures"]["report.frames.total"], 2);  // what there was
+  EXPECT_EQ(Result()["aggregates"][2]["done"], 0);
 }
 
 TEST_F(EvaluateSuiteTest, CtrlCKeepsWhatIsDoneAndGoesOnLater) {

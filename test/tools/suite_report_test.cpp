@@ -54,6 +54,8 @@ TEST(SuiteReport, AggregatesAreMedianAndMaximumOverTheSeeds) {
   const auto aggregates = Aggregate(outcomes);
   ASSERT_EQ(aggregates.size(), 2U);
   EXPECT_EQ(aggregates[0].preset, "ef");
+  EXPECT_EQ(aggregates[0].num_jobs, 4);
+  EXPECT_EQ(aggregates[0].num_done, 3);
   const FigureSummary& ate = aggregates[0].figures.at("ate");
   EXPECT_EQ(ate.count, 3);
   EXPECT_EQ(ate.median, 3);
