@@ -2,15 +2,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 
 #include "posefusion/common/atomic_file.h"
 #include "posefusion/dataset/trajectory_file.h"
 #include "test/evaluation/sample_trajectories.h"
+#include "test/support/program_run.h"
 #include "test/support/temporary_folder.h"
 
 namespace posefusion {
@@ -18,19 +16,8 @@ namespace {
 
 using testing::HasSubstr;
 
-struct ProgramRun {
-  int exit_code = -1;
-  std::string output;  ///< standard output and error
-};
-
-ProgramRun RunProgram(const std::string& arguments) {
-  const std::string command = std::string(EVALUATE_TRAJECTORY) + " " + arguments + " 2>&1";
-  std::FILE* pipe = popen(command.c_str(), "r");
-  ProgramRun run;
-  std::array<char, 256> buffer{};
-  while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) run.output += buffer.data();
-  run.exit_code = WEXITSTATUS(pclose(pipe));
-  return run;
+ProgramRun RunEvaluation(const std::string& arguments) {
+  return RunProgram(EVALUATE_TRAJECTORY, arguments);
 }
 
 class EvaluateTrajectoryTest : public testing::Test {
@@ -49,7 +36,7 @@ class EvaluateTrajectoryTest : public testing::Test {
 };
 
 TEST_F(EvaluateTrajectoryTest, PrintsTheFiguresAndWritesAllFiles) {
-  const ProgramRun run = RunProgram(Files() + " --out " + (folder_ / "a/b"));
+  const ProgramRun run = RunEvaluation(Files() + " --out " + (folder_ / "a/b"));
   EXPECT_EQ(run.exit_code, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("ATE"));
   EXPECT_THAT(run.output, HasSubstr("coverage"));
@@ -61,7 +48,7 @@ TEST_F(EvaluateTrajectoryTest, PrintsTheFiguresAndWritesAllFiles) {
 
 TEST_F(EvaluateTrajectoryTest, ShortRunHasNoRelativeErrorButIsEvaluated) {
   WriteTrajectory(WavyTrajectory(10), folder_ / "estimate.txt");
-  const ProgramRun run = RunProgram(Files() + " --out " + (folder_ / "out"));
+  const ProgramRun run = RunEvaluation(Files() + " --out " + (folder_ / "out"));
   EXPECT_EQ(run.exit_code, 0) << run.output;
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/ate.png")) << run.output;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out/rpe.png"));
@@ -70,20 +57,20 @@ TEST_F(EvaluateTrajectoryTest, ShortRunHasNoRelativeErrorButIsEvaluated) {
 TEST_F(EvaluateTrajectoryTest, FailedPlotsAreOneWarning) {
   // A folder in the place of a picture.
   std::filesystem::create_directories(folder_ / "out/trajectory_top.png");
-  const ProgramRun run = RunProgram(Files() + " --out " + (folder_ / "out"));
+  const ProgramRun run = RunEvaluation(Files() + " --out " + (folder_ / "out"));
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_THAT(run.output, HasSubstr("warning: no plots"));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/evaluation.json"));
 }
 
 TEST_F(EvaluateTrajectoryTest, ErrorsHaveTheirExitCodes) {
-  EXPECT_EQ(RunProgram("").exit_code, 2);
-  EXPECT_EQ(RunProgram(Files() + " --unknown").exit_code, 2);
-  EXPECT_EQ(RunProgram("--help").exit_code, 0);
-  const ProgramRun missing = RunProgram("--groundtruth /nowhere.txt --estimate /nowhere.txt");
+  EXPECT_EQ(RunEvaluation("").exit_code, 2);
+  EXPECT_EQ(RunEvaluation(Files() + " --unknown").exit_code, 2);
+  EXPECT_EQ(RunEvaluation("--help").exit_code, 0);
+  const ProgramRun missing = RunEvaluation("--groundtruth /nowhere.txt --estimate /nowhere.txt");
   EXPECT_EQ(missing.exit_code, 1);
   EXPECT_THAT(missing.output, HasSubstr("/nowhere.txt: cannot be read"));
-  const ProgramRun unwritable = RunProgram(Files() + " --out /proc/nowhere");
+  const ProgramRun unwritable = RunEvaluation(Files() + " --out /proc/nowhere");
   EXPECT_EQ(unwritable.exit_code, 1);
   EXPECT_THAT(unwritable.output, HasSubstr("/proc/nowhere"));
 }

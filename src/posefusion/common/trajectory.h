@@ -22,4 +22,8 @@ Trajectory LastOfEachStamp(const Trajectory& trajectory);
 /// Stamps of the poses, in their order.
 std::vector<StampNs> StampsOf(const Trajectory& trajectory);
 
+/// The pose whose stamp is nearest to the given one; null when none is within `max_difference_s`.
+const StampedPose* NearestPose(const Trajectory& trajectory, StampNs stamp_ns,
+                               double max_difference_s);
+
 }  // namespace posefusion

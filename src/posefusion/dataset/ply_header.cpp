@@ -17,14 +17,9 @@ double ReadAs(const char* bytes) {
   return static_cast<double>(value);
 }
 
-struct ScalarType {
-  std::size_t size = 0;
-  double (*read)(const char*) = nullptr;
-};
-
 /// The scalar types of the PLY format (Turk 1994) by their old and new names.
-const std::map<std::string, ScalarType>& ScalarTypes() {
-  static const std::map<std::string, ScalarType> types = {
+const std::map<std::string, PlyScalarType>& ScalarTypes() {
+  static const std::map<std::string, PlyScalarType> types = {
       {"char", {1, ReadAs<std::int8_t>}},     {"int8", {1, ReadAs<std::int8_t>}},
       {"uchar", {1, ReadAs<std::uint8_t>}},   {"uint8", {1, ReadAs<std::uint8_t>}},
       {"short", {2, ReadAs<std::int16_t>}},   {"int16", {2, ReadAs<std::int16_t>}},
@@ -79,10 +74,10 @@ class HeaderParser {
   }
 
   void AddProperty(const std::string& type, const std::string& name) {
-    const auto found = ScalarTypes().find(type);
-    if (found == ScalarTypes().end()) Fail("PLY vertex property of unknown type " + type);
-    header_.properties[name] = {header_.vertex_bytes, found->second.read};
-    header_.vertex_bytes += found->second.size;
+    const PlyScalarType* found = FindPlyScalarType(type);
+    if (found == nullptr) Fail("PLY vertex property of unknown type " + type);
+    header_.properties[name] = {header_.vertex_bytes, found->read};
+    header_.vertex_bytes += found->size;
   }
 
   const std::string& path_;
@@ -91,6 +86,11 @@ class HeaderParser {
 };
 
 }  // namespace
+
+const PlyScalarType* FindPlyScalarType(const std::string& name) {
+  const auto found = ScalarTypes().find(name);
+  return found == ScalarTypes().end() ? nullptr : &found->second;
+}
 
 PlyHeader ParsePlyHeader(const std::string& bytes, const std::string& path) {
   HeaderParser parser(path);

@@ -6,6 +6,15 @@
 
 namespace posefusion {
 
+/// A scalar type of the PLY format.
+struct PlyScalarType {
+  std::size_t size = 0;                   ///< bytes
+  double (*read)(const char*) = nullptr;  ///< little-endian bytes to number
+};
+
+/// The type with an old or a new name ("uchar", "uint8"); null when there is none.
+const PlyScalarType* FindPlyScalarType(const std::string& name);
+
 /// A scalar of a PLY vertex: where its bytes are and how they become a number.
 struct PlyProperty {
   std::size_t offset = 0;                 ///< from the start of the vertex
