@@ -15,12 +15,16 @@ PLY_TYPES = {
     "float": "<f4", "double": "<f8", "int8": "i1", "uint8": "u1", "int16": "<i2", "uint16": "<u2",
     "int32": "<i4", "uint32": "<u4", "float32": "<f4", "float64": "<f8"}
 UP = np.array([0.0, 0.0, 1.0])
-BACKGROUND = np.array([24, 26, 31], dtype=np.float32)
+BACKGROUND = np.array([62, 68, 78], dtype=np.float32)
 PATH_COLOUR = np.array([255, 190, 40], dtype=np.float32)
 PATH_DOTS = 20000
 NEAR_M = 0.2
-SHARE_IN_PICTURE = 0.9
-MAX_STEPS_BACK = 30
+RAISE, ASIDE = 0.2, 0.3  # of the eye, in shares of its way back from the map
+OUTER_PERCENTILE = 1  # surfels that may lie outside the picture, on each side
+MIN_SHARE_BEFORE = 0.9  # of what is shown, before the camera
+FILL = 0.96  # share of the picture that map and path take up
+MAX_ZOOM = 1.1  # in one of so many steps
+VIEW_STEPS = 40
 MAX_DISC_PX = 12
 SUPERSAMPLING = 2
 
@@ -86,31 +90,47 @@ class View:
         v = self.focal * p[:, 1] / safe + self.height / 2
         return u, v, z
 
-    def share_inside(self, points):
-        """Share of the points that fall into the picture."""
+    def bounds(self, points, outer_percentile):
+        """Left upper and right lower corner [px] of the points without so many outermost ones on
+        each side; None when too many lie behind."""
         u, v, z = self.project(points)
-        return np.mean((z > 0) & (u >= 0) & (u < self.width) & (v >= 0) & (v < self.height))
+        if np.mean(z > 0) < MIN_SHARE_BEFORE:
+            return None
+        return np.percentile(np.stack([u, v])[:, z > 0], [outer_percentile, 100 - outer_percentile],
+                             axis=1)
+
+
+def viewing_axis(points, normals, trajectory):
+    """Unit vector from the map's middle to where it was seen from, and that distance."""
+    middle = np.median(points, axis=0)
+    if trajectory is not None:
+        positions, forward = trajectory
+        offset = np.mean(positions, axis=0) - middle
+        return unit(unit(offset) - np.mean(forward, axis=0)), np.linalg.norm(offset)
+    back = unit(np.mean(normals, axis=0) * [1, 1, 0] + [1e-6, 0, 0])
+    return back, np.percentile(np.linalg.norm(points - middle, axis=1), 90)
 
 
 def choose_view(points, normals, trajectory, width, height):
-    """Behind and above where the map was seen from, looking at its middle."""
+    """From a little above and beside where the map was seen from; map and path in the picture."""
+    back, distance = viewing_axis(points, normals, trajectory)
+    back = unit(back + RAISE * UP + ASIDE * unit(np.cross(UP, back)))
     target = np.median(points, axis=0)
-    if trajectory is not None:
-        positions, forward = trajectory
-        eye = np.mean(positions, axis=0)
-        back = -unit(np.mean(forward, axis=0))
-    else:
-        back = unit(np.mean(normals, axis=0) * [1, 1, 0] + [1e-6, 0, 0])
-        eye = target + back * np.percentile(np.linalg.norm(points - target, axis=1), 90)
-    back = unit(back * [1, 1, 0] + [1e-9, 0, 0])
-    distance = np.linalg.norm(target - eye)
-    towards_eye = unit(eye + distance * (0.45 * UP + 0.25 * np.cross(UP, back)) - target)
-    for _ in range(MAX_STEPS_BACK):
-        view = View(target + distance * towards_eye, target, width, height)
-        if view.share_inside(points) > SHARE_IN_PICTURE:
-            break
-        distance *= 1.1
-    return view
+    half = np.array([width, height]) / 2
+    for _ in range(VIEW_STEPS):
+        view = View(target + distance * back, target, width, height)
+        bounds = [view.bounds(points, OUTER_PERCENTILE)]
+        if trajectory is not None:
+            bounds.append(view.bounds(trajectory[0], 0))
+        if any(corner is None for corner in bounds):
+            distance *= MAX_ZOOM
+            continue
+        low, high = np.min(bounds, axis=(0, 1)), np.max(bounds, axis=(0, 1))
+        shift = ((low + high) / 2 - half) * distance / view.focal
+        target = target + shift[0] * view.rotation[0] + shift[1] * view.rotation[1]
+        filled = np.max((high - low) / 2 / half) / FILL
+        distance *= np.clip(filled, 1 / MAX_ZOOM, MAX_ZOOM)
+    return View(target + distance * back, target, width, height)
 
 
 def discs(u, v, z, radius_px):

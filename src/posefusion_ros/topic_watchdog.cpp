@@ -19,14 +19,19 @@ TopicWatchdog::TopicWatchdog(std::vector<std::string> topics, double limit_s, do
       limit_s_(limit_s),
       start_s_(now_s),
       last_message_s_(topics_.size()),
-      last_frame_s_(now_s),
-      last_complaint_s_(now_s) {}
+      next_complaint_s_(now_s + limit_s),
+      pause_s_(limit_s) {}
+
+void TopicWatchdog::NoteFrame(double now_s) {
+  next_complaint_s_ = now_s + limit_s_;
+  pause_s_ = limit_s_;
+}
 
 std::string TopicWatchdog::SilentTopics(double now_s) const {
   std::string text;
   for (std::size_t i = 0; i < topics_.size(); ++i) {
     const double silent_s = now_s - last_message_s_[i].value_or(start_s_);
-    if (silent_s < limit_s_) continue;
+    if (silent_s < limit_s_ / 2) continue;  // topics that stop together stop a moment apart
     if (!text.empty()) text += ", ";
     text += topics_[i] + " (" +
             (last_message_s_[i] ? "silent for " + SecondsText(silent_s) : "nothing ever came") +
@@ -37,8 +42,9 @@ std::string TopicWatchdog::SilentTopics(double now_s) const {
 
 std::optional<std::string> TopicWatchdog::Complaint(double now_s,
                                                     std::optional<double> closest_miss_s) {
-  if (now_s - last_frame_s_ < limit_s_ || now_s - last_complaint_s_ < limit_s_) return {};
-  last_complaint_s_ = now_s;
+  if (now_s < next_complaint_s_) return {};
+  next_complaint_s_ = now_s + pause_s_;
+  pause_s_ *= 2;
   const std::string silent = SilentTopics(now_s);
   if (!silent.empty()) return "no data on " + silent;
   std::string text = "messages come on all topics but their stamps do not fit together";

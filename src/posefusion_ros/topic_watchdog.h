@@ -14,11 +14,12 @@ class TopicWatchdog {
   TopicWatchdog(std::vector<std::string> topics, double limit_s, double now_s);
 
   void NoteMessage(std::size_t topic, double now_s) { last_message_s_[topic] = now_s; }
-  void NoteFrame(double now_s) { last_frame_s_ = now_s; }
+  void NoteFrame(double now_s);
 
-  /// One line at most every `limit_s`: each topic that has been silent for `limit_s`, or, when all
-  /// of them speak but no frame comes out, that their stamps do not fit. `closest_miss_s` is the
-  /// smallest difference between the stamps of colour and depth that wait for each other.
+  /// A line after `limit_s` without a frame, then after pauses that double: each topic that is
+  /// silent, or, when all of them speak but no frame comes out, that their stamps do not fit.
+  /// `closest_miss_s` is the smallest difference between the stamps of colour and depth that wait
+  /// for each other.
   std::optional<std::string> Complaint(double now_s, std::optional<double> closest_miss_s);
 
  private:
@@ -28,8 +29,8 @@ class TopicWatchdog {
   const double limit_s_;
   const double start_s_;
   std::vector<std::optional<double>> last_message_s_;
-  double last_frame_s_;
-  double last_complaint_s_;
+  double next_complaint_s_;
+  double pause_s_;
 };
 
 }  // namespace posefusion

@@ -34,6 +34,7 @@ struct Arguments {
   std::string out;
   std::string preset;
   std::vector<std::string> config_files;
+  std::string keypoints = "none";
   int max_frames = 0;
   int num_threads = 2;
   double start_s = 0;
@@ -137,6 +138,10 @@ int main(int argc, char** argv) {
   app.add_option("--config", arguments.config_files,
                  "yaml files with groups blur_filter and mapping, later ones win")
       ->allow_extra_args(false);
+  app.add_option("--keypoints", arguments.keypoints,
+                 "keypoints of people; this version leaves people in, so only 'none'")
+      ->check(CLI::IsMember({"none"}))
+      ->capture_default_str();
   app.add_option("--max-frames", arguments.max_frames, "ends after so many frames")
       ->check(CLI::PositiveNumber);
   app.add_option("--threads", arguments.num_threads, "threads to use")

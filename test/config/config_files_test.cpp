@@ -7,6 +7,7 @@
 
 #include "posefusion/config/config.h"
 #include "posefusion/image/blur_filter.h"
+#include "posefusion/pipeline/slam_config.h"
 
 namespace posefusion {
 namespace {
@@ -53,7 +54,8 @@ TEST_P(ConfigFilesTest, ShowsEveryKeyWithItsDefault) {
 
 // One line per file whose struct is in the core.
 INSTANTIATE_TEST_SUITE_P(All, ConfigFilesTest,
-                         testing::Values(FileOf<BlurFilterConfig>("blur_filter.yaml")));
+                         testing::Values(FileOf<BlurFilterConfig>("blur_filter.yaml"),
+                                         FileOf<SlamConfig>("mapping.yaml")));
 
 }  // namespace
 }  // namespace posefusion

@@ -123,6 +123,20 @@ TEST(Slam, ResetStartsAnew) {
   EXPECT_TRUE(slam.ProcessFrame(*RenderedSource(1).Next()).HasPose());  // an earlier stamp is fine
 }
 
+TEST(Slam, TinyImagesDoNoHarm) {
+  for (const int size : {1, 3, 9, 17, 40}) {
+    CameraModel camera = testing::SmallCamera();
+    camera.width = camera.height = size;
+    camera.fx = camera.fy = size;
+    camera.cx = camera.cy = 0.5 * (size - 1);
+    Slam slam(SlamConfig(), kTwoThreads);
+    const testing::RenderedRoom room = testing::RenderedRoom::Furnished();
+    for (int i = 0; i < 3; ++i) {
+      slam.ProcessFrame(room.Render(camera, SwayingPose(i), 1 + i * testing::kRenderedInterval));
+    }
+  }
+}
+
 TEST(Slam, RefusesValuesOutOfRangeByTheirFullKey) {
   SlamConfig config;
   config.tracking.so3.max_iterations = -1;

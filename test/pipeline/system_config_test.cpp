@@ -43,6 +43,14 @@ TEST(SystemConfig, NamesFileAndKeyOfWhatItRefuses) {
   }
 }
 
+TEST(SystemConfig, LeavesTheNodeletsParametersToThem) {
+  const TemporaryFolder folder;
+  const auto path = WriteYaml(folder, "d.yaml",
+                              "mapping: {ros: {queue_size: 9}, splat: {level: 0}, "
+                              "frames: {map_frame: world}}\nblur_filter: {ros: {}}");
+  EXPECT_EQ(LoadSystemConfig({path}).mapping.splat.level, 0);
+}
+
 TEST(SystemConfig, PresetEfUsesEveryFrame) {
   const SystemConfig config = LoadSystemConfig({FindPackageFile("config/presets/ef.yaml")});
   EXPECT_FALSE(config.blur_filter.enabled);

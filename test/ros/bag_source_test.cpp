@@ -137,17 +137,10 @@ TEST(BagSource, TellsOnceThatStampsGoBack) {
     std_msgs::Header header;
     header.stamp = ToRosTime(frame.stamp_ns);
     const ros::Time recorded = ToRosTime(1'000'000'000LL * (100 + i));
-    sensor_msgs::CameraInfo info;
-    info.header = header;
-    info.width = 320;
-    info.height = 240;
-    info.K = {260, 0, 159.5, 0, 260, 119.5, 0, 0, 1};
-    sensor_msgs::Image depth = *ToRgb8Message(frame.rgb, header);
-    depth.encoding = "16UC1";
-    depth.step = 640;
-    bag.write("/camera/rgb/camera_info", recorded, info);
+    bag.write("/camera/rgb/camera_info", recorded, ToCameraInfo(frame.camera, header));
     bag.write("/camera/rgb/image_rect_color", recorded, *ToRgb8Message(frame.rgb, header));
-    bag.write("/camera/depth_registered/image_rect", recorded, depth);
+    bag.write("/camera/depth_registered/image_rect", recorded,
+              *ToDepthMessage(frame.depth_m, header));
   }
   bag.close();
   BagSource source(folder / "back.bag");

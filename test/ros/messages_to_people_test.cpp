@@ -38,7 +38,19 @@ TEST(TopicWatchdog, NamesTheSilentTopics) {
   ASSERT_TRUE(complaint);
   EXPECT_THAT(*complaint, HasSubstr("/depth (nothing ever came)"));
   EXPECT_THAT(*complaint, Not(HasSubstr("/rgb")));
-  EXPECT_FALSE(watchdog.Complaint(6, {})) << "not again so soon";
+  EXPECT_FALSE(watchdog.Complaint(9.9, {})) << "not again so soon";
+  EXPECT_TRUE(watchdog.Complaint(10, {}));
+  EXPECT_FALSE(watchdog.Complaint(19, {})) << "rarer and rarer";
+  watchdog.NoteFrame(20);
+  EXPECT_TRUE(watchdog.Complaint(25, {}));
+}
+
+TEST(TopicWatchdog, NamesTopicsThatStopAMomentAfterTheLastFrame) {
+  TopicWatchdog watchdog({"/rgb", "/depth"}, 5, 0);
+  watchdog.NoteFrame(10);
+  watchdog.NoteMessage(0, 10.03);
+  watchdog.NoteMessage(1, 10.02);
+  EXPECT_THAT(watchdog.Complaint(15, {}).value_or(""), HasSubstr("/rgb (silent for 5 s), /depth"));
 }
 
 TEST(TopicWatchdog, TellsThatStampsDoNotFit) {

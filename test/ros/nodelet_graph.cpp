@@ -7,7 +7,6 @@
 
 #include "posefusion_ros/conversions.h"
 #include "posefusion_ros/topic_names.h"
-#include "test/ros/synthetic_room.h"
 
 namespace posefusion {
 namespace {
@@ -97,6 +96,14 @@ RgbdMessages SyntheticMessages(int index, StampNs start_ns) {
   header.stamp = ToRosTime(frame.stamp_ns);
   messages.rgb = ToRgb8Message(frame.rgb, header);
   messages.info = boost::make_shared<sensor_msgs::CameraInfo>(ToCameraInfo(frame.camera, header));
+  return messages;
+}
+
+RgbdMessages PairedMessages(int index, StampNs start_ns) {
+  RgbdMessages messages = SyntheticMessages(index, start_ns);
+  auto depth = boost::make_shared<sensor_msgs::Image>(*messages.depth);
+  depth->header.stamp = messages.rgb->header.stamp;
+  messages.depth = depth;
   return messages;
 }
 

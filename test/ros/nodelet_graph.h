@@ -10,6 +10,7 @@
 #include <string>
 
 #include "posefusion_ros/frame_assembler.h"
+#include "test/ros/synthetic_room.h"
 
 namespace posefusion {
 
@@ -54,6 +55,9 @@ class NodeletGraph {
 };
 
 /// Messages of SyntheticFrame.
-RgbdMessages SyntheticMessages(int index, StampNs start_ns = 1'000'000'000'000);
+RgbdMessages SyntheticMessages(int index, StampNs start_ns = kSyntheticStartNs);
+
+/// The same with depth and colour at one stamp, so that a pair is decided at once.
+RgbdMessages PairedMessages(int index, StampNs start_ns = kSyntheticStartNs);
 
 }  // namespace posefusion

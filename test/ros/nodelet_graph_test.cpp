@@ -16,62 +16,18 @@
 #include "posefusion/common/atomic_file.h"
 #include "posefusion/dataset/trajectory_file.h"
 #include "posefusion/dataset/tum_folder_source.h"
-#include "posefusion/pipeline/slam.h"
+#include "posefusion/pipeline/offline_run.h"
 #include "posefusion_ros/bag_source.h"
 #include "posefusion_ros/bag_writer.h"
 #include "posefusion_ros/conversions.h"
-#include "posefusion_ros/nodelets/blur_filter_config.h"
 #include "posefusion_ros/topic_names.h"
+#include "test/ros/recorder.h"
 #include "test/ros/synthetic_room.h"
 #include "test/support/temporary_folder.h"
 #include "test/support/test_data.h"
 
 namespace posefusion {
 namespace {
-
-using testing::HasSubstr;
-
-constexpr StampNs kSecondNs = 1'000'000'000;
-constexpr StampNs kStart = 1000 * kSecondNs;
-
-/// Collects the messages of a topic.
-template <class Message>
-class Recorder {
- public:
-  explicit Recorder(const std::string& topic) {
-    subscriber_ = ros::NodeHandle().subscribe<Message>(
-        topic, 1000, [this](const boost::shared_ptr<const Message>& message) {
-          const std::lock_guard<std::mutex> lock(mutex_);
-          messages_.push_back(message);
-        });
-  }
-  ~Recorder() { subscriber_.shutdown(); }
-
-  std::vector<boost::shared_ptr<const Message>> messages() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return messages_;
-  }
-  std::size_t size() const { return messages().size(); }
-
-  bool WaitForSize(std::size_t size) const {
-    for (int i = 0; i < 1000 && this->size() < size; ++i) ros::WallDuration(0.01).sleep();
-    return this->size() >= size;
-  }
-
- private:
-  mutable std::mutex mutex_;
-  std::vector<boost::shared_ptr<const Message>> messages_;
-  ros::Subscriber subscriber_;
-};
-
-/// Depth and colour at one stamp, so that a pair is decided at once.
-RgbdMessages PairedMessages(int index, StampNs start_ns = kStart) {
-  RgbdMessages messages = SyntheticMessages(index, start_ns);
-  auto depth = boost::make_shared<sensor_msgs::Image>(*messages.depth);
-  depth->header.stamp = messages.rgb->header.stamp;
-  messages.depth = depth;
-  return messages;
-}
 
 sensor_msgs::ImagePtr Blurred(const sensor_msgs::Image& image) {
   const auto copy = boost::make_shared<sensor_msgs::Image>(image);
@@ -81,15 +37,11 @@ sensor_msgs::ImagePtr Blurred(const sensor_msgs::Image& image) {
   return copy;
 }
 
-/// The trajectory file that the core makes of a bag without any nodelet.
+/// The trajectory file that run_dataset makes of a bag, without any nodelet.
 std::string DirectTrajectory(const std::string& bag, const TemporaryFolder& folder) {
   BagSource source(bag);
-  BlurFilter filter((BlurFilterConfig()));
-  Slam slam(SlamConfig(), 1);
-  while (const auto frame = source.Next()) {
-    if (filter.Judge(frame->rgb).keep) slam.ProcessFrame(*frame);
-  }
-  WriteTrajectory(slam.trajectory(), folder / "direct.txt");
+  const OfflineRun run = RunOffline(source, SystemConfig(), 1);
+  WriteTrajectory(run.trajectory, folder / "direct.txt");
   return ReadWholeFile(folder / "direct.txt");
 }
 
@@ -146,7 +98,7 @@ TEST(NodeletGraph, BlurredFramesStayOut) {
   EXPECT_EQ(rgb.size(), 9U);
 }
 
-TEST(NodeletGraph, FedSlowlyGivesTheTrajectoryOfTheCore) {
+TEST(NodeletGraph, FedSlowlyGivesTheTrajectoryOfRunDataset) {
   const TemporaryFolder folder;
   {
     BagWriter writer(folder / "room.bag", "camera_rgb_optical_frame");
@@ -158,7 +110,7 @@ TEST(NodeletGraph, FedSlowlyGivesTheTrajectoryOfTheCore) {
   EXPECT_EQ(GraphTrajectory(folder / "room.bag", folder), direct);
 }
 
-TEST(NodeletGraph, FedSlowlyGivesTheTrajectoryOfTheCoreOnRealData) {
+TEST(NodeletGraph, FedSlowlyGivesTheTrajectoryOfRunDatasetOnRealData) {
   SKIP_WITHOUT_DATA("fr1_xyz");
   const TemporaryFolder folder;
   {
@@ -192,112 +144,6 @@ TEST(NodeletGraph, PublishesPoseAndCloudAtTheImageStamp) {
   EXPECT_EQ(transform.header.frame_id, "robot/map");
   EXPECT_EQ(transform.child_frame_id, frame.rgb->header.frame_id);
   EXPECT_EQ(cloud.messages()[0]->header.frame_id, "robot/map");
-}
-
-/// Mapping alone sees what BlurFilter would keep from it.
-class BadInput : public testing::Test {
- protected:
-  BadInput() {
-    graph_.SetParam("/blur_filter/enabled", false);
-    EXPECT_TRUE(graph_.Start());
-  }
-
-  RgbdMessages Good() { return PairedMessages(next_index_++); }
-
-  /// Publishes and waits until Mapping has refused it.
-  void ExpectRefused(const RgbdMessages& frame, const std::string& why) {
-    const Status before = graph_.status();
-    graph_.Publish(frame);
-    EXPECT_TRUE(graph_.WaitFor([&](const Status& status) {
-      return status.frames_refused > before.frames_refused;
-    })) << why;
-    EXPECT_THAT(graph_.status().detail, HasSubstr(why));
-    EXPECT_EQ(graph_.status().frames_processed, before.frames_processed);
-  }
-
-  void ExpectTracked(const RgbdMessages& frame) {
-    const auto before = graph_.status().frames_tracked;
-    graph_.Publish(frame);
-    EXPECT_TRUE(graph_.WaitFor([&](const Status& status) {
-      return status.frames_tracked == before + 1;
-    })) << graph_.status().state
-        << ": " << graph_.status().detail;
-    EXPECT_EQ(graph_.status().state, "tracking");
-  }
-
-  NodeletGraph graph_;
-  int next_index_ = 0;
-};
-
-TEST_F(BadInput, UnusableImagesAreRefusedByNameAndGoodOnesGoOn) {
-  ExpectTracked(Good());
-
-  RgbdMessages unknown = Good();
-  auto rgb = boost::make_shared<sensor_msgs::Image>(*unknown.rgb);
-  rgb->encoding = "yuv422";
-  unknown.rgb = rgb;
-  ExpectRefused(unknown, "/sharp/rgb/image_rect_color: colour encoding 'yuv422'");
-  ExpectTracked(Good());
-
-  RgbdMessages other_size = Good();
-  auto depth = boost::make_shared<sensor_msgs::Image>(*other_size.depth);
-  depth->height /= 2;
-  other_size.depth = depth;
-  ExpectRefused(other_size, "/sharp/depth_registered/image_rect");
-  ExpectTracked(Good());
-
-  RgbdMessages uncalibrated = Good();
-  auto info = boost::make_shared<sensor_msgs::CameraInfo>(*uncalibrated.info);
-  info->K.fill(0);
-  uncalibrated.info = info;
-  ExpectRefused(uncalibrated, "/sharp/rgb/camera_info: the camera is not calibrated");
-  ExpectTracked(Good());
-}
-
-TEST_F(BadInput, MissingCameraInfoIsToldAndRecoveredFrom) {
-  for (int i = 0; i < 15; ++i) {
-    RgbdMessages frame = Good();
-    frame.info = nullptr;
-    graph_.Publish(frame);
-  }
-  EXPECT_TRUE(graph_.WaitFor([](const Status& status) { return status.frames_refused > 0; }));
-  EXPECT_THAT(graph_.status().detail, HasSubstr("/sharp/rgb/camera_info: no camera_info has come"));
-  EXPECT_EQ(graph_.status().state, "waiting");
-  graph_.Publish(Good());
-  EXPECT_TRUE(graph_.WaitForProcessed(1));
-}
-
-TEST_F(BadInput, NoPoseIsPublishedWhileLost) {
-  const Recorder<geometry_msgs::PoseWithCovarianceStamped> pose(kHeadPoseTopic);
-  const Recorder<tf2_msgs::TFMessage> tf("/tf");
-  ros::WallDuration(0.5).sleep();
-  ExpectTracked(Good());
-  ASSERT_TRUE(pose.WaitForSize(1) && tf.WaitForSize(1));
-
-  RgbdMessages no_depth = Good();
-  auto depth = boost::make_shared<sensor_msgs::Image>(*no_depth.depth);
-  std::fill(depth->data.begin(), depth->data.end(), 0);
-  no_depth.depth = depth;
-  graph_.Publish(no_depth);
-  EXPECT_TRUE(graph_.WaitFor([](const Status& status) { return status.state == "lost"; }));
-  EXPECT_EQ(graph_.status().frames_lost, 1U);
-  EXPECT_NE(graph_.status().detail, "");
-
-  ExpectTracked(Good());
-  ASSERT_TRUE(pose.WaitForSize(2) && tf.WaitForSize(2));
-  EXPECT_EQ(pose.size(), 2U);
-  EXPECT_EQ(tf.size(), 2U);
-}
-
-TEST_F(BadInput, RestartedBagResetsOnce) {
-  for (int i = 0; i < 3; ++i) ExpectTracked(PairedMessages(i));
-  for (int i = 0; i < 3; ++i) {
-    graph_.Publish(PairedMessages(i, kStart - 100 * kSecondNs));
-    EXPECT_TRUE(graph_.WaitFor([&](const Status& status) {
-      return status.resets == 1 && status.frames_processed == static_cast<std::uint64_t>(i + 1);
-    }));
-  }
-  EXPECT_EQ(graph_.status().frames_tracked, 3U);
 }
 
 TEST(NodeletGraph, WrongParametersStopTheStart) {

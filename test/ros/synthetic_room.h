@@ -4,9 +4,10 @@
 
 namespace posefusion {
 
-/// Small rendered frames of a textured room corner, seen by a camera that drifts slowly; colour and
-/// depth stamps differ by 10 ms as those of real cameras do.
-/// Frame `index` is the same every time; 30 frames a second from `start_ns`.
-RgbdFrame SyntheticFrame(int index, StampNs start_ns = 1'000'000'000'000);
+constexpr StampNs kSyntheticStartNs = 1'000'000'000'000;
+
+/// Frame `index` of a camera that sways through a rendered room; the same every time, 30 a second.
+/// Colour and depth stamps differ by 10 ms as those of real cameras do.
+RgbdFrame SyntheticFrame(int index, StampNs start_ns = kSyntheticStartNs);
 
 }  // namespace posefusion

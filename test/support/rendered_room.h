@@ -25,6 +25,10 @@ class RenderedRoom {
 
   void AddBox(const SceneBox& box) { boxes_.push_back(box); }
 
+  /// What stands in the room, and the room itself.
+  const std::vector<SceneBox>& boxes() const { return boxes_; }
+  const SceneBox& room() const { return room_; }
+
   /// Without texture every surface is of one grey.
   void SetTextured(bool textured) { textured_ = textured; }
 

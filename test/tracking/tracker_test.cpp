@@ -37,7 +37,7 @@ class TrackerTest : public ::testing::Test {
     SplatConfig splat;
     splat.level = 0;
     Splatter(splat, noise_).Render(map, testing::SmallCamera(), pose, 0, parallel_, view_);
-    BuildIntensityLevels(4, view_);
+    BuildIntensityLevels(4, parallel_, view_);
   }
 
   /// The frames are small, so the coarsest levels would be tiny.

@@ -1,6 +1,7 @@
 #include "posefusion/common/parallel.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -11,7 +12,12 @@
 namespace posefusion {
 
 struct ParallelRunner::Arena {
-  explicit Arena(int num_threads) : arena(num_threads) {}
+  explicit Arena(int num_threads)
+      : limit(tbb::global_control::max_allowed_parallelism,
+              std::max(static_cast<std::size_t>(num_threads),
+                       static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()))),
+        arena(num_threads) {}
+  tbb::global_control limit;  ///< lets an arena be larger than the number of cores
   tbb::task_arena arena;
 };
 

@@ -29,6 +29,13 @@ CameraModel CameraModel::AtLevel(int level) const {
   return camera;
 }
 
+int CameraModel::UsefulLevels(int wanted) const {
+  constexpr int kLeastSize = 8;
+  int levels = 1;
+  while (levels < wanted && (std::min(width, height) >> levels) >= kLeastSize) ++levels;
+  return levels;
+}
+
 Eigen::Vector2d CameraModel::Project(const Eigen::Vector3d& p_camera) const {
   return {fx * p_camera.x() / p_camera.z() + cx, fy * p_camera.y() / p_camera.z() + cy};
 }

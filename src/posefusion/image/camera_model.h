@@ -27,6 +27,9 @@ struct CameraModel {
   /// is the mean of the 2x2 block at (2u, 2v) of the level below.
   CameraModel AtLevel(int level) const;
 
+  /// How many of `wanted` levels have at least 8 pixels in height and width, level 0 included.
+  int UsefulLevels(int wanted) const;
+
   /// Pixel (u, v) of a point in the camera frame with z > 0, ignoring distortion.
   Eigen::Vector2d Project(const Eigen::Vector3d& p_camera) const;
 

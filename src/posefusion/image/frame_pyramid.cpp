@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "posefusion/common/simd.h"
+#include "posefusion/image/intensity_pyramid.h"
 
 namespace posefusion {
 namespace {
 
 constexpr int kRowsPerBlock = 16;
-constexpr float kNoIntensity = -1;
 
 /// ITU-R BT.601 luma.
 constexpr float kRed = 0.299F;
@@ -40,23 +40,6 @@ void MaskRow(const std::uint8_t* mask, int width, float* grey, float* depth) {
     grey[x] = kNoIntensity;
     depth[x] = 0;
   }
-}
-
-/// Mean of each 2x2 block; none when one of the four is missing.
-void HalveIntensity(const Grid<float>& fine, const ParallelRunner& parallel, Grid<float>& coarse) {
-  parallel.ForEachRange(coarse.height(), kRowsPerBlock, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      const float* a = fine.row(2 * y);
-      const float* b = fine.row(2 * y + 1);
-      float* out = coarse.row(y);
-      for (int x = 0; x < coarse.width(); ++x) {
-        const float lowest =
-            std::min(std::min(a[2 * x], a[2 * x + 1]), std::min(b[2 * x], b[2 * x + 1]));
-        const float mean = 0.25F * ((a[2 * x] + a[2 * x + 1]) + (b[2 * x] + b[2 * x + 1]));
-        out[x] = lowest < 0 ? kNoIntensity : mean;
-      }
-    }
-  });
 }
 
 /// Mean of the depths of each 2x2 block that lie near the nearest of them; none where fewer than
@@ -101,7 +84,7 @@ void PyramidBuilder::Build(const RgbdFrame& frame, const cv::Mat& mask,
   pyramid.depth_stamp_ns = frame.depth_stamp_ns;
   pyramid.rgb = frame.rgb;
   pyramid.raw_depth_m.Resize(width, height);
-  pyramid.levels.resize(static_cast<std::size_t>(config_.num_levels));
+  pyramid.levels.resize(static_cast<std::size_t>(frame.camera.UsefulLevels(config_.num_levels)));
   for (std::size_t l = 0; l < pyramid.levels.size(); ++l) {
     PyramidLevel& level = pyramid.levels[l];
     level.camera = frame.camera.AtLevel(static_cast<int>(l));

@@ -30,7 +30,7 @@ struct FramePyramid {
 };
 
 struct PyramidConfig {
-  int num_levels = 4;        ///< resolutions, each half of the one before
+  int num_levels = 5;        ///< resolutions, each half of the one before
   double min_depth_m = 0.3;  ///< nearer depth is ignored
   double max_depth_m = 5.0;  ///< depth cut-off: farther depth is ignored
   DepthFilterConfig depth_filter;

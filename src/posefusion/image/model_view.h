@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "posefusion/common/parallel.h"
 #include "posefusion/image/camera_model.h"
 #include "posefusion/image/grid.h"
 
@@ -36,10 +37,12 @@ struct ModelView {
   Grid<ModelPlane> planes;  ///< where depth_m > 0
   Grid<float> intensity;    ///< grey 0..255 where depth_m > 0, below 0 elsewhere
   Grid<float> confidence;   ///< of the surfels behind the pixel, 0 = nothing there
+  std::vector<Grid<float>> halved_intensity;     ///< working memory of BuildIntensityLevels
   std::vector<IntensityLevel> intensity_levels;  ///< 0 = resolution of the geometry
 };
 
-/// Makes the intensity levels with gradients (central differences; none beside missing pixels).
-void BuildIntensityLevels(int num_levels, ModelView& view);
+/// Makes the intensity levels, as many as are useful, with gradients (central differences; none
+/// beside missing pixels).
+void BuildIntensityLevels(int num_levels, const ParallelRunner& parallel, ModelView& view);
 
 }  // namespace posefusion

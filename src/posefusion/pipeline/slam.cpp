@@ -122,7 +122,7 @@ void Slam::State::Predict() {
   const StampNs window = StampFromSeconds(config.fusion.time_window_s);
   splatter->Render(*map, rectified.camera, tracker->T_map_camera(),
                    map->FirstFrameSince(pyramid.stamp_ns - window), parallel, view);
-  BuildIntensityLevels(config.pyramid.num_levels, view);
+  BuildIntensityLevels(config.pyramid.num_levels, parallel, view);
 }
 
 Slam::Slam(const SlamConfig& config, int num_threads) {

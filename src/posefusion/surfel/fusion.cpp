@@ -69,7 +69,6 @@ FusionKernelInput MakeInput(const FusionConfig& config, const DepthNoiseConfig& 
     in.color_translation[r] = static_cast<float>(T_color_depth(r, 3));
   }
   in.min_depth_m = 0.1F;
-  in.max_depth_m = 1e6F;
   in.association_distance_m = static_cast<float>(config.association_distance_m);
   in.association_sigmas = static_cast<float>(config.association_sigmas);
   in.association_cosine = static_cast<float>(std::cos(config.association_angle_rad));
@@ -82,7 +81,6 @@ FusionKernelInput MakeInput(const FusionConfig& config, const DepthNoiseConfig& 
   in.frame_weight = static_cast<float>(frame_weight);
   in.inverse_falloff = static_cast<float>(InverseFalloff(config, camera));
   in.max_confidence = static_cast<float>(config.max_confidence);
-  in.stable_confidence = static_cast<float>(config.stable_confidence);
   in.free_space_distance_m = static_cast<float>(config.free_space_distance_m);
   in.free_space_sigmas = static_cast<float>(config.free_space_sigmas);
   in.free_space_weight = static_cast<float>(config.free_space_weight);
@@ -141,6 +139,7 @@ FusionCounts Fuser::UpdateVisible(const FramePyramid& frame, const FramePoses& p
   in.normal_y = finest.normals.y.data();
   in.normal_z = finest.normals.z.data();
   in.rgb = frame.rgb.data;
+  in.stable_confidence = map.stable_confidence();
   in.claimed = claimed_.data();
   in.frame = static_cast<std::int32_t>(map.frame());
   const auto frames_since = [&](double seconds) {
@@ -190,8 +189,7 @@ int Fuser::RemoveStale(SurfelMap& map) {
     bool has_unstable = false;
     for (int slot = 0; slot < chunk.size; ++slot) {
       const auto i = static_cast<std::size_t>(slot);
-      if (!chunk.IsAlive(slot) ||
-          chunk.confidence[i] >= static_cast<float>(config_.stable_confidence)) {
+      if (!chunk.IsAlive(slot) || chunk.confidence[i] >= map.stable_confidence()) {
         continue;
       }
       if (chunk.last_seen[i] < fresh) {

@@ -14,15 +14,15 @@ struct FusionConfig {
   double radius_pixels = 1.15;           ///< surfel radius in footprints of half a diagonal
   double weight_falloff = 0.72;          ///< weight exp(-(r / half diagonal)^2 / this)
   double max_confidence = 100.0;         ///< confidence (and so inertia) grows no further
-  double stable_confidence = 10.0;       ///< surfels of at least this are stable
-  double unstable_life_s = 0.7;          ///< unstable surfels not seen for so long are deleted
-  int recheck_frames = 30;               ///< out of view they are looked for so often
-  double time_window_s = 1e6;            ///< surfels not seen for longer are inactive
-  double free_space_distance_m = 0.03;   ///< a surfel this far before the measured surface ...
-  double free_space_sigmas = 8.0;        ///< ... and so many noise sigmas is contradicted
-  double free_space_weight = 5.0;        ///< confidence lost, in measurement weights
-  int spawn_stride_px = 2;               ///< one pixel of stride x stride may create a surfel
-  double color_rate = 1.0;               ///< colour follows with this multiple of the weight
+
+  double unstable_life_s = 0.7;         ///< unstable surfels not seen for so long are deleted
+  int recheck_frames = 30;              ///< out of view they are looked for so often
+  double time_window_s = 1e6;           ///< surfels not seen for longer are inactive
+  double free_space_distance_m = 0.03;  ///< a surfel this far before the measured surface ...
+  double free_space_sigmas = 8.0;       ///< ... and so many noise sigmas is contradicted
+  double free_space_weight = 5.0;       ///< confidence lost, in measurement weights
+  int spawn_stride_px = 2;              ///< one pixel of stride x stride may create a surfel
+  double color_rate = 1.0;              ///< colour follows with this multiple of the weight
 };
 
 template <class V>
@@ -35,7 +35,7 @@ void Describe(V& v, FusionConfig& c) {
   v.Field("radius_pixels", c.radius_pixels, 0.5, 4.0);
   v.Field("weight_falloff", c.weight_falloff, 0.05, 100.0);
   v.Field("max_confidence", c.max_confidence, 1.0, 1e6);
-  v.Field("stable_confidence", c.stable_confidence, 0.0, 1e4);
+
   v.Field("unstable_life_s", c.unstable_life_s, 0.0, 1e6);
   v.Field("recheck_frames", c.recheck_frames, 1, 10000);
   v.Field("time_window_s", c.time_window_s, 0.1, 1e9);

@@ -7,53 +7,174 @@ namespace {
 
 using namespace simd;
 
-/// Measurements at the pixels of eight surfels.
+/// Eight surfels of a chunk, from slot `first` on.
+struct Lanes {
+  F8 x, y, z, nx, ny, nz, radius, confidence;
+  I8 last_seen;
+};
+
+POSEFUSION_INLINE Lanes LoadLanes(const FusionKernelSurfels& s, int first) {
+  Lanes l;
+  l.x = Load(s.x + first);
+  l.y = Load(s.y + first);
+  l.z = Load(s.z + first);
+  l.nx = Load(s.nx + first);
+  l.ny = Load(s.ny + first);
+  l.nz = Load(s.nz + first);
+  l.radius = Load(s.radius + first);
+  l.confidence = Load(s.confidence + first);
+  std::memcpy(&l.last_seen, s.last_seen + first, sizeof l.last_seen);
+  return l;
+}
+
+struct Vector {
+  F8 x, y, z;
+};
+
+POSEFUSION_INLINE F8 Dot(const Vector& a, const Vector& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/// R v for a matrix stored row by row.
+POSEFUSION_INLINE Vector Rotate(const float* R, const Vector& v) {
+  return {R[0] * v.x + R[1] * v.y + R[2] * v.z, R[3] * v.x + R[4] * v.y + R[5] * v.z,
+          R[6] * v.x + R[7] * v.y + R[8] * v.z};
+}
+
+/// R^T v.
+POSEFUSION_INLINE Vector RotateBack(const float* R, const Vector& v) {
+  return {v.x * R[0] + v.y * R[3] + v.z * R[6], v.x * R[1] + v.y * R[4] + v.z * R[7],
+          v.x * R[2] + v.y * R[5] + v.z * R[8]};
+}
+
+/// Where points of the camera frame fall: rounded pixel and whether that is in the image.
+struct PixelLanes {
+  I8 u, v;
+  I8 inside;
+};
+
+POSEFUSION_INLINE PixelLanes ProjectLanes(const FusionKernelInput& in, const Vector& p,
+                                          float margin) {
+  const F8 inverse_z = Broadcast(1) / Max(p.z, Broadcast(in.min_depth_m));
+  const F8 u = p.x * inverse_z * in.fx + (in.cx + 0.5F);
+  const F8 v = p.y * inverse_z * in.fy + (in.cy + 0.5F);
+  PixelLanes pixel;
+  pixel.inside = (p.z > in.min_depth_m) & (u >= margin) & (v >= margin) &
+                 (u < static_cast<float>(in.width) - margin) &
+                 (v < static_cast<float>(in.height) - margin);
+  pixel.u = ToInt(ZeroUnless(pixel.inside, u));
+  pixel.v = ToInt(ZeroUnless(pixel.inside, v));
+  return pixel;
+}
+
+/// Measurements at eight pixels, camera frame.
 struct Measured {
-  F8 depth, nearest, nx, ny, nz;
+  F8 depth, nearest, sigma;
+  Vector point, normal;
+  F8 facing;  ///< cosine between the normal and the direction to the camera
+  F8 weight;
 };
 
-POSEFUSION_INLINE Measured Gather(const FusionKernelInput& in, I8 pixel) {
-  Measured m;
-  for (int i = 0; i < kLanes; ++i) {
-    const std::int32_t p = pixel[i];
-    m.depth[i] = in.depth_m[p];
-    m.nearest[i] = in.nearest_around_m[p];
-    m.nx[i] = in.normal_x[p];
-    m.ny[i] = in.normal_y[p];
-    m.nz[i] = in.normal_z[p];
-  }
-  return m;
-}
-
-/// Colours at the pixels nearest to (u, v), for lanes where that lies in the image.
-struct Colors {
-  F8 red, green, blue;
-};
-
-POSEFUSION_INLINE Colors GatherColors(const FusionKernelInput& in, I8 pixel) {
-  Colors c;
-  for (int i = 0; i < kLanes; ++i) {
-    const std::uint8_t* rgb = in.rgb + 3 * pixel[i];
-    c.red[i] = static_cast<float>(rgb[0]);
-    c.green[i] = static_cast<float>(rgb[1]);
-    c.blue[i] = static_cast<float>(rgb[2]);
-  }
-  return c;
-}
-
-POSEFUSION_INLINE I8 LoadInt(const std::uint32_t* p) {
-  I8 v;
-  std::memcpy(&v, p, sizeof v);
-  return v;
-}
-
-/// exp(-x) for x in [0, 8] by a rational approximation, exact enough for a weight (1e-3).
-POSEFUSION_INLINE F8 ExpMinus(F8 x) {
+/// Weight of a measurement, largest in the middle of the image (Keller et al. 2013, section 4.1).
+/// exp(-x) for x in [0, 8] by (1 + x / 16)^-16, exact enough for a weight.
+POSEFUSION_INLINE F8 CentreWeight(const FusionKernelInput& in, F8 u, F8 v) {
+  const F8 dx = u - in.cx;
+  const F8 dy = v - in.cy;
+  const F8 x = (dx * dx + dy * dy) * in.inverse_falloff;
   const F8 e = Broadcast(1) + x * (1.0F / 16);
   const F8 e2 = e * e;
   const F8 e4 = e2 * e2;
   const F8 e8 = e4 * e4;
-  return Broadcast(1) / (e8 * e8);
+  return in.frame_weight / (e8 * e8);
+}
+
+POSEFUSION_INLINE Measured Measure(const FusionKernelInput& in, const PixelLanes& pixel, I8 index) {
+  Measured m;
+  for (int i = 0; i < kLanes; ++i) {
+    const std::int32_t k = index[i];
+    m.depth[i] = in.depth_m[k];
+    m.nearest[i] = in.nearest_around_m[k];
+    m.normal.x[i] = in.normal_x[k];
+    m.normal.y[i] = in.normal_y[k];
+    m.normal.z[i] = in.normal_z[k];
+  }
+  const F8 u = __builtin_convertvector(pixel.u, F8);
+  const F8 v = __builtin_convertvector(pixel.v, F8);
+  const Vector ray = {(u - in.cx) / in.fx, (v - in.cy) / in.fy, Broadcast(1)};
+  m.point = {ray.x * m.depth, ray.y * m.depth, m.depth};
+  m.facing = -Dot(m.normal, ray) / Sqrt(Dot(ray, ray));
+  const F8 from_offset = m.depth - in.sigma_offset;
+  m.sigma = in.sigma_base + in.sigma_growth * from_offset * from_offset;
+  m.weight = CentreWeight(in, u, v);
+  return m;
+}
+
+/// What a measurement means for a surfel.
+struct Verdict {
+  I8 matched;       ///< the same surface
+  I8 contradicted;  ///< the camera looks through the surfel
+  F8 plane;         ///< distance from the surfel to the measured plane along its normal
+};
+
+POSEFUSION_INLINE Verdict Compare(const FusionKernelInput& in, const Vector& p,
+                                  const Vector& normal, const Measured& m, I8 in_view) {
+  const I8 has_depth = in_view & (m.depth > Broadcast(0));
+  const F8 gate = Max(Broadcast(in.association_distance_m), m.sigma * in.association_sigmas);
+  const F8 free_gate = Max(Broadcast(in.free_space_distance_m), m.sigma * in.free_space_sigmas);
+  Verdict verdict;
+  verdict.plane = Dot(m.normal, {m.point.x - p.x, m.point.y - p.y, m.point.z - p.z});
+  verdict.matched = has_depth & (m.facing > in.grazing_cosine) & (Abs(verdict.plane) < gate) &
+                    (Abs(p.z - m.depth) < gate + gate) &
+                    (Dot(normal, m.normal) > in.association_cosine);
+  // The measured surface and all around it lie behind the surfel.
+  verdict.contradicted = has_depth & ~verdict.matched & (m.nearest - p.z > free_gate);
+  return verdict;
+}
+
+/// Moves position and normal by `share` of their distance to the measurement.
+POSEFUSION_INLINE void BlendGeometry(const FusionKernelInput& in, const Lanes& lanes,
+                                     const Measured& m, F8 plane, F8 share, int first,
+                                     const FusionKernelSurfels& s) {
+  const Vector n = Rotate(in.rotation, m.normal);
+  const F8 along = share * plane;
+  Store(s.x + first, lanes.x + along * n.x);
+  Store(s.y + first, lanes.y + along * n.y);
+  Store(s.z + first, lanes.z + along * n.z);
+  const Vector blend = {lanes.nx + share * (n.x - lanes.nx), lanes.ny + share * (n.y - lanes.ny),
+                        lanes.nz + share * (n.z - lanes.nz)};
+  const F8 inverse = Broadcast(1) / Sqrt(Max(Dot(blend, blend), Broadcast(1e-12F)));
+  const I8 moves = share > Broadcast(0);
+  Store(s.nx + first, Select(moves, blend.x * inverse, lanes.nx));
+  Store(s.ny + first, Select(moves, blend.y * inverse, lanes.ny));
+  Store(s.nz + first, Select(moves, blend.z * inverse, lanes.nz));
+}
+
+/// Moves colours by `share` towards those of the colour image, which was taken from a slightly
+/// different place.
+POSEFUSION_INLINE void BlendColor(const FusionKernelInput& in, const Vector& p, F8 share, int first,
+                                  const FusionKernelSurfels& s) {
+  const float* t = in.color_translation;
+  const Vector turned = Rotate(in.color_rotation, p);
+  const PixelLanes pixel = ProjectLanes(in, {turned.x + t[0], turned.y + t[1], turned.z + t[2]}, 0);
+  const I8 index = pixel.v * in.width + pixel.u;
+  const F8 color_share = ZeroUnless(pixel.inside, Min(share * in.color_rate, Broadcast(1)));
+  float* const channels[3] = {s.red + first, s.green + first, s.blue + first};
+  for (int c = 0; c < 3; ++c) {
+    F8 measured = Broadcast(0);
+    for (int i = 0; i < kLanes; ++i) measured[i] = static_cast<float>(in.rgb[3 * index[i] + c]);
+    const F8 stored = Load(channels[c]);
+    Store(channels[c], stored + color_share * (measured - stored));
+  }
+}
+
+POSEFUSION_INLINE void MarkSeen(const FusionKernelInput& in, I8 matched, I8 index, int first,
+                                const FusionKernelSurfels& s) {
+  for (int k = 0; k < kLanes; ++k) {
+    if (!matched[k]) continue;
+    s.last_seen[first + k] = static_cast<std::uint32_t>(in.frame);
+    // Two threads may claim the same pixel with the same value.
+    __atomic_store_n(in.claimed + index[k], static_cast<std::uint8_t>(1), __ATOMIC_RELAXED);
+  }
 }
 
 }  // namespace
@@ -61,123 +182,44 @@ POSEFUSION_INLINE F8 ExpMinus(F8 x) {
 POSEFUSION_KERNEL FusionKernelCounts UpdateSurfels(const FusionKernelInput& in,
                                                    const FusionKernelSurfels& s) {
   const F8 zero = Broadcast(0);
-  const F8 one = Broadcast(1);
-  const float* R = in.rotation;
   const float* t = in.translation;
   I8 updated_count{}, removed_count{}, unstable_count{};
   for (int i = 0; i < s.size; i += kLanes) {
-    const F8 radius = Load(s.radius + i);
-    const I8 alive = radius > zero;
+    const Lanes lanes = LoadLanes(s, i);
+    const I8 alive = lanes.radius > zero;
     if (!Any(alive)) continue;
-    const F8 mx = Load(s.x + i) - t[0];
-    const F8 my = Load(s.y + i) - t[1];
-    const F8 mz = Load(s.z + i) - t[2];
-    const F8 px = mx * R[0] + my * R[3] + mz * R[6];
-    const F8 py = mx * R[1] + my * R[4] + mz * R[7];
-    const F8 pz = mx * R[2] + my * R[5] + mz * R[8];
-    const F8 depth_safe = Max(pz, Broadcast(0.05F));
-    const F8 inverse_z = one / depth_safe;
-    const F8 u = px * inverse_z * in.fx + in.cx;
-    const F8 v = py * inverse_z * in.fy + in.cy;
-    const F8 confidence = Load(s.confidence + i);
-    const I8 last_seen = LoadInt(s.last_seen + i);
-    const I8 active = last_seen >= in.first_active_frame;
-    const I8 unstable = confidence < in.stable_confidence;
-    const I8 stale = alive & active & unstable & (last_seen < in.first_fresh_frame);
-    const I8 in_view = alive & active & (pz > in.min_depth_m) & (pz < in.max_depth_m) & (u > 0.5F) &
-                       (u < static_cast<float>(in.width) - 1.5F) & (v > 0.5F) &
-                       (v < static_cast<float>(in.height) - 1.5F);
-    if (!Any(in_view)) {
-      for (int k = 0; k < kLanes; ++k) {
-        if (stale[k]) s.radius[i + k] = s.confidence[i + k] = 0;
-      }
-      removed_count += stale;
-      unstable_count += alive & unstable & ~stale;
-      continue;
-    }
-    const I8 ui = ToInt(Select(in_view, u + 0.5F, zero));
-    const I8 vi = ToInt(Select(in_view, v + 0.5F, zero));
-    const I8 pixel = vi * in.width + ui;
-    const Measured m = Gather(in, pixel);
+    const I8 active = alive & (lanes.last_seen >= in.first_active_frame);
+    const I8 unstable = lanes.confidence < in.stable_confidence;
+    const I8 stale = active & unstable & (lanes.last_seen < in.first_fresh_frame);
+    const Vector p = RotateBack(in.rotation, {lanes.x - t[0], lanes.y - t[1], lanes.z - t[2]});
+    const PixelLanes pixel = ProjectLanes(in, p, 1);
+    const I8 in_view = active & pixel.inside;
 
-    const F8 ray_x = (__builtin_convertvector(ui, F8) - in.cx) / in.fx;
-    const F8 ray_y = (__builtin_convertvector(vi, F8) - in.cy) / in.fy;
-    const F8 from_offset = m.depth - in.sigma_offset;
-    const F8 sigma = in.sigma_base + in.sigma_growth * from_offset * from_offset;
-    // The surfel's normal in the camera frame, and how the measured surface faces the camera.
-    const F8 snx = Load(s.nx + i), sny = Load(s.ny + i), snz = Load(s.nz + i);
-    const F8 cnx = snx * R[0] + sny * R[3] + snz * R[6];
-    const F8 cny = snx * R[1] + sny * R[4] + snz * R[7];
-    const F8 cnz = snx * R[2] + sny * R[5] + snz * R[8];
-    const F8 ray_length = Sqrt(ray_x * ray_x + ray_y * ray_y + 1.0F);
-    const F8 facing = -(m.nx * ray_x + m.ny * ray_y + m.nz) / ray_length;
-    const I8 has_depth = in_view & (m.depth > zero);
-    const F8 normals_agree = cnx * m.nx + cny * m.ny + cnz * m.nz;
-    // Distance to the measured plane, along its normal.
-    const F8 plane =
-        m.nx * (ray_x * m.depth - px) + m.ny * (ray_y * m.depth - py) + m.nz * (m.depth - pz);
-    const F8 gate = Max(Broadcast(in.association_distance_m), sigma * in.association_sigmas);
-    const I8 matched = has_depth & (facing > in.grazing_cosine) & (Abs(plane) < gate) &
-                       (Abs(pz - m.depth) < gate + gate) & (normals_agree > in.association_cosine);
+    const I8 index = pixel.v * in.width + pixel.u;
+    const Measured m = Measure(in, pixel, index);
+    const Vector normal = RotateBack(in.rotation, {lanes.nx, lanes.ny, lanes.nz});
+    const Verdict verdict = Compare(in, p, normal, m, in_view);
 
-    // Weight of the measurement, largest in the middle of the image (Keller 2013, section 4.1).
-    const F8 dx = __builtin_convertvector(ui, F8) - in.cx;
-    const F8 dy = __builtin_convertvector(vi, F8) - in.cy;
-    const F8 weight = in.frame_weight * ExpMinus((dx * dx + dy * dy) * in.inverse_falloff);
-    const F8 measured_radius = m.depth * in.radius_scale / Max(facing, Broadcast(0.5F));
-    const I8 fine = matched & (measured_radius < radius * in.max_radius_growth);
-    const F8 total = confidence + weight;
-    const F8 share = ZeroUnless(fine, weight / total);
-    const F8 along = share * plane;
-    Store(s.x + i, Load(s.x + i) + along * (R[0] * m.nx + R[1] * m.ny + R[2] * m.nz));
-    Store(s.y + i, Load(s.y + i) + along * (R[3] * m.nx + R[4] * m.ny + R[5] * m.nz));
-    Store(s.z + i, Load(s.z + i) + along * (R[6] * m.nx + R[7] * m.ny + R[8] * m.nz));
-    const F8 bx = snx + share * (R[0] * m.nx + R[1] * m.ny + R[2] * m.nz - snx);
-    const F8 by = sny + share * (R[3] * m.nx + R[4] * m.ny + R[5] * m.nz - sny);
-    const F8 bz = snz + share * (R[6] * m.nx + R[7] * m.ny + R[8] * m.nz - snz);
-    const F8 inverse_length = one / Sqrt(Max(bx * bx + by * by + bz * bz, Broadcast(1e-12F)));
-    Store(s.nx + i, Select(fine, bx * inverse_length, snx));
-    Store(s.ny + i, Select(fine, by * inverse_length, sny));
-    Store(s.nz + i, Select(fine, bz * inverse_length, snz));
-    // The colour image was taken from a slightly different place.
-    const float* C = in.color_rotation;
-    const F8 wx = px * C[0] + py * C[1] + pz * C[2] + in.color_translation[0];
-    const F8 wy = px * C[3] + py * C[4] + pz * C[5] + in.color_translation[1];
-    const F8 wz = px * C[6] + py * C[7] + pz * C[8] + in.color_translation[2];
-    const F8 inverse_wz = one / Max(wz, Broadcast(0.05F));
-    const F8 cu = wx * inverse_wz * in.fx + (in.cx + 0.5F);
-    const F8 cv = wy * inverse_wz * in.fy + (in.cy + 0.5F);
-    const I8 has_color = in_view & (cu >= zero) & (cv >= zero) &
-                         (cu < static_cast<float>(in.width)) & (cv < static_cast<float>(in.height));
-    const Colors m_color = GatherColors(
-        in, ToInt(ZeroUnless(has_color, cv)) * in.width + ToInt(ZeroUnless(has_color, cu)));
-    const F8 color_share = ZeroUnless(has_color, Min(share * in.color_rate, one));
-    const F8 red = Load(s.red + i), green = Load(s.green + i), blue = Load(s.blue + i);
-    Store(s.red + i, red + color_share * (m_color.red - red));
-    Store(s.green + i, green + color_share * (m_color.green - green));
-    Store(s.blue + i, blue + color_share * (m_color.blue - blue));
+    // Weighted means (Keller et al. 2013, eq. 4-6); coarse measurements only confirm.
+    const F8 measured_radius = m.depth * in.radius_scale / Max(m.facing, Broadcast(0.5F));
+    const I8 fine = verdict.matched & (measured_radius < lanes.radius * in.max_radius_growth);
+    const F8 share = ZeroUnless(fine, m.weight / (lanes.confidence + m.weight));
+    BlendGeometry(in, lanes, m, verdict.plane, share, i, s);
+    BlendColor(in, p, share, i, s);
+    MarkSeen(in, verdict.matched, index, i, s);
 
-    // The measured surface and all around it lie behind the surfel: it is not there any more.
-    const F8 free_gate = Max(Broadcast(in.free_space_distance_m), sigma * in.free_space_sigmas);
-    const I8 contradicted = has_depth & ~matched & (m.nearest - pz > free_gate);
-    const F8 lost = ZeroUnless(contradicted, weight * in.free_space_weight);
-    const F8 gained = ZeroUnless(matched, weight);
-    F8 new_confidence = Min(confidence + gained, Max(confidence, Broadcast(in.max_confidence)));
-    new_confidence = new_confidence - lost;
+    const F8 limit = Max(lanes.confidence, Broadcast(in.max_confidence));
+    const F8 gained = ZeroUnless(verdict.matched, m.weight);
+    const F8 lost = ZeroUnless(verdict.contradicted, m.weight * in.free_space_weight);
+    const F8 confidence = Min(lanes.confidence + gained, limit) - lost;
     const I8 removed =
-        (contradicted & (new_confidence <= zero)) | (contradicted & unstable) | (stale & ~matched);
-    const F8 new_radius = radius + share * (measured_radius - radius);
-    Store(s.confidence + i, ZeroUnless(~removed, new_confidence));
-    Store(s.radius + i, ZeroUnless(~removed, Select(fine, new_radius, radius)));
-    for (int k = 0; k < kLanes; ++k) {
-      if (!matched[k]) continue;
-      s.last_seen[i + k] = static_cast<std::uint32_t>(in.frame);
-      // Two threads may claim the same pixel with the same value.
-      __atomic_store_n(in.claimed + pixel[k], static_cast<std::uint8_t>(1), __ATOMIC_RELAXED);
-    }
-    updated_count += matched;
+        (verdict.contradicted & (unstable | (confidence <= zero))) | (stale & ~verdict.matched);
+    const F8 radius = lanes.radius + share * (measured_radius - lanes.radius);
+    Store(s.confidence + i, ZeroUnless(~removed, confidence));
+    Store(s.radius + i, ZeroUnless(~removed, radius));
+    updated_count += verdict.matched;
     removed_count += removed;
-    unstable_count += alive & ~removed & (new_confidence < in.stable_confidence);
+    unstable_count += alive & ~removed & (confidence < in.stable_confidence);
   }
   FusionKernelCounts counts;
   for (int k = 0; k < kLanes; ++k) {

@@ -21,7 +21,7 @@ struct FusionKernelInput {
   float translation[3] = {};     ///< camera centre in the map
   float color_rotation[9] = {};  ///< R_color_depth: to the camera of the colour image
   float color_translation[3] = {};
-  float min_depth_m = 0, max_depth_m = 0;
+  float min_depth_m = 0;  ///< nearer surfels are not in view
 
   float association_distance_m = 0, association_sigmas = 0, association_cosine = 0;
   float grazing_cosine = 0;

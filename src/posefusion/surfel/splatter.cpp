@@ -93,7 +93,7 @@ void Splatter::CollectDiscs(const SurfelMap& map, const CameraModel& camera,
   const auto cy = static_cast<float>(camera.cy);
   const auto first = static_cast<float>(begin);
   const auto last = static_cast<float>(end - 1);
-  const auto stable = static_cast<float>(config_.stable_confidence);
+  const auto stable = map.stable_confidence();
   const auto least = static_cast<float>(config_.unstable_weight) * stable;
   band.discs.clear();
   for (std::size_t i = 0; i < visible_.size(); ++i) {
@@ -134,36 +134,40 @@ void Splatter::CollectDiscs(const SurfelMap& map, const CameraModel& camera,
 }
 
 void Splatter::DrawFront(const CameraModel& camera, int begin, Band& band) const {
-  for (const Disc& disc : band.discs) {
+  band.fragments.clear();
+  for (std::size_t d = 0; d < band.discs.size(); ++d) {
+    const Disc& disc = band.discs[d];
     float* front = disc.stable ? band.stable_front.data() : band.any_front.data();
-    ForEachPixel(disc, camera, begin,
-                 [&](int i, float depth, float) { front[i] = std::min(front[i], depth); });
+    ForEachPixel(disc, camera, begin, [&](int i, float depth, float distance2) {
+      front[i] = std::min(front[i], depth);
+      band.fragments.push_back({i, static_cast<int>(d), depth, 1 - distance2});
+    });
   }
 }
 
-void Splatter::DrawSums(const CameraModel& camera, int begin, Band& band) const {
+void Splatter::DrawSums(Band& band) const {
   const auto sigmas = static_cast<float>(config_.blend_sigmas);
   const auto least = static_cast<float>(config_.blend_distance_m);
-  for (const Disc& disc : band.discs) {
-    const float reach = std::max(least, sigmas * DepthSigma(noise_, disc.z));
-    ForEachPixel(disc, camera, begin, [&](int i, float depth, float distance2) {
-      const float stable_front = band.stable_front[static_cast<std::size_t>(i)];
-      const float front =
-          stable_front < kFar ? stable_front : band.any_front[static_cast<std::size_t>(i)];
-      if (depth > front + reach || depth < front - reach) return;
-      const float falloff = 1.01F - distance2;
-      const float weight = disc.weight * falloff * falloff;
-      Sum& sum = band.sums[static_cast<std::size_t>(i)];
-      sum.weight += weight;
-      sum.depth += weight * depth;
-      sum.nx += weight * disc.nx;
-      sum.ny += weight * disc.ny;
-      sum.nz += weight * disc.nz;
-      sum.red += weight * disc.red;
-      sum.green += weight * disc.green;
-      sum.blue += weight * disc.blue;
-      sum.confidence += weight * disc.weight;
-    });
+  constexpr float kRimFalloff = 0.01F;  // a rim alone at its pixel still counts
+  for (const Fragment& fragment : band.fragments) {
+    const auto i = static_cast<std::size_t>(fragment.pixel);
+    const float stable_front = band.stable_front[i];
+    const float front = stable_front < kFar ? stable_front : band.any_front[i];
+    const float reach = std::max(least, sigmas * DepthSigma(noise_, front));
+    if (std::abs(fragment.depth - front) > reach) continue;
+    const Disc& disc = band.discs[static_cast<std::size_t>(fragment.disc)];
+    const float falloff = fragment.falloff + kRimFalloff;
+    const float weight = disc.weight * falloff * falloff;
+    Sum& sum = band.sums[i];
+    sum.weight += weight;
+    sum.depth += weight * fragment.depth;
+    sum.nx += weight * disc.nx;
+    sum.ny += weight * disc.ny;
+    sum.nz += weight * disc.nz;
+    sum.red += weight * disc.red;
+    sum.green += weight * disc.green;
+    sum.blue += weight * disc.blue;
+    sum.confidence += weight * disc.weight;
   }
 }
 
@@ -184,7 +188,7 @@ void Splatter::DrawBands(const SurfelMap& map, const CameraModel& camera,
     band.sums.assign(num_pixels, Sum());
     CollectDiscs(map, camera, T_map_camera, begin, end, band);
     DrawFront(camera, begin, band);
-    DrawSums(camera, begin, band);
+    DrawSums(band);
     for (int y = begin; y < end; ++y) {
       output(y, band.sums.data() + static_cast<std::ptrdiff_t>(y - begin) * camera.width);
     }

@@ -11,18 +11,18 @@
 namespace posefusion {
 
 struct SplatConfig {
-  int level = 1;                    ///< resolution of the view: the camera's, halved so often
-  double stable_confidence = 10.0;  ///< stable surfels hide unstable ones, whichever is nearer
-  double unstable_weight = 0.05;    ///< least weight of a surfel in the mean, of a stable one's
-  double min_footprint_px = 0.75;   ///< discs are drawn at least with this radius
-  double blend_sigmas = 3.0;        ///< discs this close behind the front are averaged with it
-  double blend_distance_m = 0.01;   ///< and at least within this distance
+  int level = 1;  ///< resolution of the view: the camera's, halved so often
+
+  double unstable_weight = 0.05;   ///< least weight of a surfel in the mean, of a stable one's
+  double min_footprint_px = 0.75;  ///< discs are drawn at least with this radius
+  double blend_sigmas = 3.0;       ///< discs this close behind the front are averaged with it
+  double blend_distance_m = 0.01;  ///< and at least within this distance
 };
 
 template <class V>
 void Describe(V& v, SplatConfig& c) {
   v.Field("level", c.level, 0, 3);
-  v.Field("stable_confidence", c.stable_confidence, 0.0, 1e4);
+
   v.Field("unstable_weight", c.unstable_weight, 0.0, 1.0);
   v.Field("min_footprint_px", c.min_footprint_px, 0.5, 4.0);
   v.Field("blend_sigmas", c.blend_sigmas, 0.0, 50.0);
@@ -64,6 +64,13 @@ class Splatter {
     int left, right, top, bottom;
     bool stable;
   };
+  /// A pixel that a disc covers.
+  struct Fragment {
+    int pixel;  ///< in the band
+    int disc;
+    float depth;
+    float falloff;  ///< 0 at the rim .. 1 in the middle
+  };
   /// Sums of the discs at a pixel.
   struct Sum {
     float weight = 0, depth = 0, nx = 0, ny = 0, nz = 0, red = 0, green = 0, blue = 0;
@@ -72,6 +79,7 @@ class Splatter {
   /// Working memory of one band.
   struct Band {
     std::vector<Disc> discs;
+    std::vector<Fragment> fragments;
     std::vector<float> stable_front, any_front;
     std::vector<Sum> sums;
   };
@@ -82,7 +90,7 @@ class Splatter {
   void CollectDiscs(const SurfelMap& map, const CameraModel& camera,
                     const Eigen::Isometry3d& T_map_camera, int begin, int end, Band& band) const;
   void DrawFront(const CameraModel& camera, int begin, Band& band) const;
-  void DrawSums(const CameraModel& camera, int begin, Band& band) const;
+  void DrawSums(Band& band) const;
   template <class Output>
   void DrawBands(const SurfelMap& map, const CameraModel& camera,
                  const Eigen::Isometry3d& T_map_camera, std::uint32_t first_active_frame,

@@ -15,13 +15,15 @@
 namespace posefusion {
 
 struct SurfelMapConfig {
-  double voxel_size_m = 0.25;  ///< edge of the coarse voxels that chunks belong to
-  int undo_frames = 3;         ///< so many frames can be taken back
+  double voxel_size_m = 0.25;       ///< edge of the coarse voxels that chunks belong to
+  double stable_confidence = 10.0;  ///< surfels of at least this confidence are stable
+  int undo_frames = 3;              ///< so many frames can be taken back
 };
 
 template <class V>
 void Describe(V& v, SurfelMapConfig& c) {
   v.Field("voxel_size_m", c.voxel_size_m, 0.05, 10.0);
+  v.Field("stable_confidence", c.stable_confidence, 0.0, 1e4);
   v.Field("undo_frames", c.undo_frames, 0, 100);
 }
 
@@ -39,6 +41,8 @@ class SurfelMap {
 
   /// Index of the current frame, 0 before the first.
   std::uint32_t frame() const { return static_cast<std::uint32_t>(frame_stamps_.size()); }
+
+  float stable_confidence() const { return static_cast<float>(config_.stable_confidence); }
 
   /// Stamp of frame 1 .. frame().
   StampNs StampOf(std::uint32_t frame) const { return frame_stamps_[frame - 1]; }

@@ -46,6 +46,20 @@ double RobustScale(double weighted_squares, double rows) {
   return rows > 0 ? std::sqrt(weighted_squares / rows) : 0;
 }
 
+/// Keeps what is known after evaluating at a pose.
+void Record(const ResidualSums& sums, Alignment& alignment) {
+  alignment.num_icp_rows = static_cast<int>(sums.icp_rows);
+  alignment.num_intensity_rows = static_cast<int>(sums.intensity_rows);
+  alignment.num_rows_total += alignment.num_icp_rows + alignment.num_intensity_rows;
+  alignment.icp_scale = RobustScale(sums.icp_weighted_squares, sums.icp_rows);
+  alignment.icp_rms_m = RobustScale(sums.icp_weighted_squares_m2, sums.icp_rows);
+  alignment.intensity_rms = RobustScale(sums.intensity_weighted_squares, sums.intensity_rows);
+  alignment.icp_information = FullMatrix(sums.icp);
+  alignment.intensity_information = FullMatrix(sums.intensity);
+  alignment.icp_gradient = Eigen::Map<const Vector6d>(sums.icp.b);
+  alignment.intensity_gradient = Eigen::Map<const Vector6d>(sums.intensity.b);
+}
+
 }  // namespace
 
 Aligner::Aligner(const TrackingConfig& config, const DepthNoiseConfig& noise)
@@ -54,7 +68,6 @@ Aligner::Aligner(const TrackingConfig& config, const DepthNoiseConfig& noise)
 Alignment Aligner::Align(const FramePyramid& frame, const ModelView& view, const Start& start,
                          const ParallelRunner& parallel) {
   Alignment alignment;
-  alignment.T_view_camera = start.T_view_camera;
   const double meters = 1 / (config_.damping_sigma_m * config_.damping_sigma_m);
   const double radians = 1 / (config_.damping_sigma_rad * config_.damping_sigma_rad);
   alignment.damping.diagonal() << meters, meters, meters, radians, radians, radians;
@@ -63,10 +76,52 @@ Alignment Aligner::Align(const FramePyramid& frame, const ModelView& view, const
   const int coarsest = std::min(config_.coarsest_level, last);
   const int finest = std::min(config_.finest_level, coarsest);
   for (int level = coarsest; level >= finest; --level) {
-    AlignLevel(frame, view, start, level, parallel, scales, alignment);
+    const ResidualInput input = SampleLevel(frame, view, start, level, parallel, alignment);
+    if (level == coarsest) AlignCoarsest(input, start, parallel, scales, alignment);
+    const int iterations = level == finest ? config_.finest_iterations : config_.coarse_iterations;
+    Iterate(input, iterations, parallel, scales, alignment);
   }
   alignment.T_view_camera = Orthonormalized(alignment.T_view_camera);
   return alignment;
+}
+
+/// Aligns every start and keeps the one with the most support.
+void Aligner::AlignCoarsest(const ResidualInput& input, const Start& start,
+                            const ParallelRunner& parallel, Scales& scales, Alignment& alignment) {
+  Alignment best = alignment;
+  Scales best_scales = scales;
+  double best_support = -1;
+  for (const Eigen::Isometry3d& T_view_camera : start.T_view_camera) {
+    Alignment candidate = alignment;
+    Scales candidate_scales = scales;
+    candidate.T_view_camera = T_view_camera;
+    Iterate(input, config_.coarse_iterations, parallel, candidate_scales, candidate);
+    candidate.num_rows_total += best.num_rows_total - alignment.num_rows_total;
+    const double support = Support(input, candidate.T_view_camera, parallel);
+    if (support > best_support) {
+      best_support = support;
+      best_scales = candidate_scales;
+      std::swap(best, candidate);
+    }
+    best.num_rows_total = std::max(best.num_rows_total, candidate.num_rows_total);
+  }
+  alignment = best;
+  scales = best_scales;
+}
+
+/// Sum of the robust weights of all residuals at a pose, with fixed scales.
+double Aligner::Support(ResidualInput input, const Eigen::Isometry3d& T_view_camera,
+                        const ParallelRunner& parallel) {
+  SetPose(T_view_camera, input);
+  SetScales(Scales(), input);
+  const ResidualSums sums = Evaluate(input, parallel);
+  return sums.icp_weights + sums.intensity_weights;
+}
+
+void Aligner::SetScales(const Scales& scales, ResidualInput& input) {
+  input.icp_inverse_scale = static_cast<float>(1 / scales.icp);
+  input.intensity_inverse_scale = static_cast<float>(1 / scales.intensity);
+  input.brightness = static_cast<float>(scales.brightness);
 }
 
 ResidualInput Aligner::MakeInput(const ModelView& view, int level) const {
@@ -79,7 +134,8 @@ ResidualInput Aligner::MakeInput(const ModelView& view, int level) const {
   in.fy = static_cast<float>(view.camera.fy);
   in.cx = static_cast<float>(view.camera.cx);
   in.cy = static_cast<float>(view.camera.cy);
-  const auto matching = std::min(static_cast<std::size_t>(level), view.intensity_levels.size() - 1);
+  const int last = static_cast<int>(view.intensity_levels.size()) - 1;
+  const auto matching = static_cast<std::size_t>(std::clamp(level, 0, last));
   const IntensityLevel& intensity = view.intensity_levels[matching];
   in.model_intensity = intensity.pixels.data();
   in.intensity_width = intensity.camera.width;
@@ -124,41 +180,37 @@ void Aligner::UpdateScales(const ResidualSums& sums, Scales& scales) const {
   }
 }
 
-void Aligner::AlignLevel(const FramePyramid& frame, const ModelView& view, const Start& start,
-                         int level, const ParallelRunner& parallel, Scales& scales,
-                         Alignment& alignment) {
+ResidualInput Aligner::SampleLevel(const FramePyramid& frame, const ModelView& view,
+                                   const Start& start, int level, const ParallelRunner& parallel,
+                                   Alignment& alignment) {
   const bool finest = level == std::min(config_.finest_level, config_.coarsest_level);
   SamplingOptions sampling;
   sampling.stride_px = finest ? config_.finest_stride_px : config_.coarsest_stride_px;
   sampling.sigma_floor_m = config_.icp_sigma_floor_m;
   sampling.noise = noise_;
   sampling.T_color_depth = start.T_color_depth;
-  const int iterations = finest ? config_.finest_iterations : config_.coarse_iterations;
   CollectSamples(frame.levels[static_cast<std::size_t>(level)], sampling, parallel, samples_);
-  ResidualInput input =
-      MakeInput(view, level - (view.camera.width == frame.levels[0].camera.width ? 0 : 1));
-  SetSamples(samples_, input);
   alignment.num_samples = samples_.size;
   alignment.valid_ratio = static_cast<double>(samples_.size) / samples_.num_pixels;
-  for (int i = 0; i < iterations; ++i) {
+  // The view may have been predicted at a coarser resolution than the frame's.
+  int view_level = 0;
+  while (frame.levels[0].camera.width >> view_level > view.camera.width) ++view_level;
+  ResidualInput input = MakeInput(view, level - view_level);
+  SetSamples(samples_, input);
+  return input;
+}
+
+void Aligner::Iterate(ResidualInput input, int max_iterations, const ParallelRunner& parallel,
+                      Scales& scales, Alignment& alignment) {
+  for (int i = 0; i < max_iterations; ++i) {
     SetPose(alignment.T_view_camera, input);
-    input.icp_inverse_scale = static_cast<float>(1 / scales.icp);
-    input.intensity_inverse_scale = static_cast<float>(1 / scales.intensity);
-    input.brightness = static_cast<float>(scales.brightness);
+    SetScales(scales, input);
     const ResidualSums sums = Evaluate(input, parallel);
-    alignment.num_icp_rows = static_cast<int>(sums.icp_rows);
-    alignment.num_intensity_rows = static_cast<int>(sums.intensity_rows);
-    alignment.num_rows_total += alignment.num_icp_rows + alignment.num_intensity_rows;
-    alignment.icp_scale = RobustScale(sums.icp_weighted_squares, sums.icp_rows);
-    alignment.icp_rms_m = RobustScale(sums.icp_weighted_squares_m2, sums.icp_rows);
-    alignment.intensity_rms = RobustScale(sums.intensity_weighted_squares, sums.intensity_rows);
-    alignment.icp_information = FullMatrix(sums.icp);
-    alignment.intensity_information = FullMatrix(sums.intensity);
-    alignment.icp_gradient = Eigen::Map<const Vector6d>(sums.icp.b);
-    alignment.intensity_gradient = Eigen::Map<const Vector6d>(sums.intensity.b);
+    Record(sums, alignment);
     alignment.solved = false;
-    if (sums.icp_rows + sums.intensity_rows < std::max(kMinRows, kMinRowShare * samples_.size))
+    if (sums.icp_rows + sums.intensity_rows < std::max(kMinRows, kMinRowShare * samples_.size)) {
       return;
+    }
     const Eigen::LDLT<Matrix6d> ldlt(alignment.Information());
     const Vector6d step = -ldlt.solve(alignment.icp_gradient + alignment.intensity_gradient);
     if (ldlt.info() != Eigen::Success || !ldlt.isPositive() || !step.allFinite()) return;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <vector>
 
 #include "posefusion/common/lie.h"
 #include "posefusion/common/parallel.h"
@@ -41,7 +42,9 @@ class Aligner {
 
   /// Where to start.
   struct Start {
-    Eigen::Isometry3d T_view_camera = Eigen::Isometry3d::Identity();  ///< guess for the frame
+    /// Guesses for the frame's pose. Each is aligned at the coarsest level; the one that explains
+    /// the most pixels there is followed down to the finest.
+    std::vector<Eigen::Isometry3d> T_view_camera = {Eigen::Isometry3d::Identity()};
     /// Where the camera was when the depth was measured, seen from where it was for the colour.
     Eigen::Isometry3d T_color_depth = Eigen::Isometry3d::Identity();
   };
@@ -57,10 +60,17 @@ class Aligner {
     double brightness = 0;
   };
 
+  static void SetScales(const Scales& scales, ResidualInput& input);
   ResidualInput MakeInput(const ModelView& view, int level) const;
-  void AlignLevel(const FramePyramid& frame, const ModelView& view, const Start& start, int level,
-                  const ParallelRunner& parallel, Scales& scales, Alignment& alignment);
+  ResidualInput SampleLevel(const FramePyramid& frame, const ModelView& view, const Start& start,
+                            int level, const ParallelRunner& parallel, Alignment& alignment);
+  void Iterate(ResidualInput input, int max_iterations, const ParallelRunner& parallel,
+               Scales& scales, Alignment& alignment);
+  void AlignCoarsest(const ResidualInput& input, const Start& start, const ParallelRunner& parallel,
+                     Scales& scales, Alignment& alignment);
   ResidualSums Evaluate(const ResidualInput& input, const ParallelRunner& parallel);
+  double Support(ResidualInput input, const Eigen::Isometry3d& T_view_camera,
+                 const ParallelRunner& parallel);
   void UpdateScales(const ResidualSums& sums, Scales& scales) const;
 
   TrackingConfig config_;

@@ -60,13 +60,13 @@ TrackingResult Tracker::Start(const FramePyramid& frame, const Eigen::Isometry3d
 TrackingResult Tracker::Track(const FramePyramid& frame, const ModelView& view,
                               const ParallelRunner& parallel) {
   const Eigen::Isometry3d T_view_last = view.T_map_camera.inverse() * T_map_camera_;
-  Aligner::Start start;
-
-  start.T_view_camera = T_view_last * Guess(frame);
+  const double elapsed_s = SecondsBetween(recent_.back().stamp_ns, frame.stamp_ns);
   const double lag_s = config_.depth_lag_s + SecondsBetween(frame.depth_stamp_ns, frame.stamp_ns);
+  Aligner::Start start;
   start.T_color_depth = ExpSE3(-lag_s * Velocity());
-  const Alignment alignment = aligner_.Align(frame, view, start, parallel);
-  const TrackingResult result = Judge(alignment, view);
+  start.T_view_camera = Guesses(frame, T_view_last);
+  const TrackingResult result =
+      Judge(aligner_.Align(frame, view, start, parallel), view, elapsed_s);
   if (result.health != TrackingHealth::kFailed) {
     T_last_step_ = T_map_camera_.inverse() * result.T_map_camera;
     T_color_depth_ = start.T_color_depth;
@@ -95,16 +95,28 @@ void Tracker::Remember(const FramePyramid& frame) {
   previous_intensity_ = frame.levels[So3Level(frame)].intensity;
 }
 
-/// T_last_current: the camera's motion since the last good frame.
-Eigen::Isometry3d Tracker::Guess(const FramePyramid& frame) const {
-  Eigen::Isometry3d T_guess = Eigen::Isometry3d::Identity();
-  if (!config_.so3.enabled) return T_last_step_;
+/// T_view_camera: where the camera may be now.
+std::vector<Eigen::Isometry3d> Tracker::Guesses(const FramePyramid& frame,
+                                                const Eigen::Isometry3d& T_view_last) const {
+  std::vector<Eigen::Isometry3d> guesses = {T_view_last * T_last_step_, T_view_last};
+  if (!config_.so3.enabled) return guesses;
   const PyramidLevel& level = frame.levels[So3Level(frame)];
-  T_guess.linear() = AlignRotation(previous_intensity_, level.intensity, level.camera, config_.so3);
-  return T_guess;
+  Eigen::Isometry3d T_turned = Eigen::Isometry3d::Identity();
+  T_turned.linear() =
+      AlignRotation(previous_intensity_, level.intensity, level.camera, config_.so3);
+  guesses.insert(guesses.begin(), T_view_last * T_turned);
+  return guesses;
 }
 
-TrackingResult Tracker::Judge(const Alignment& alignment, const ModelView& view) const {
+bool Tracker::IsPlausibleStep(const Eigen::Isometry3d& T_map_camera, double elapsed_s) const {
+  const Eigen::Isometry3d T_step = T_map_camera_.inverse() * T_map_camera;
+  return T_step.translation().norm() <= config_.max_step_m + config_.max_speed_mps * elapsed_s &&
+         LogSO3(T_step.linear()).norm() <=
+             config_.max_step_rad + config_.max_speed_radps * elapsed_s;
+}
+
+TrackingResult Tracker::Judge(const Alignment& alignment, const ModelView& view,
+                              double elapsed_s) const {
   TrackingResult result;
   result.T_map_camera = view.T_map_camera * alignment.T_view_camera;
   result.valid_ratio = alignment.valid_ratio;
@@ -117,7 +129,6 @@ TrackingResult Tracker::Judge(const Alignment& alignment, const ModelView& view)
   if (alignment.num_samples > 0) {
     result.inlier_ratio = static_cast<double>(rows) / alignment.num_samples;
   }
-  const Eigen::Isometry3d T_step = T_map_camera_.inverse() * result.T_map_camera;
   if (alignment.valid_ratio < config_.min_valid_ratio) {
     result.failure = kTooLittleDepth;
   } else if (!alignment.solved) {
@@ -126,8 +137,7 @@ TrackingResult Tracker::Judge(const Alignment& alignment, const ModelView& view)
     result.failure = "too few inliers";
   } else if (alignment.icp_scale > config_.max_icp_rms_sigmas) {
     result.failure = "residuals too large";
-  } else if (T_step.translation().norm() > config_.max_translation_m ||
-             LogSO3(T_step.linear()).norm() > config_.max_rotation_rad) {
+  } else if (!IsPlausibleStep(result.T_map_camera, elapsed_s)) {
     result.failure = "implausible jump";
   }
   if (result.failure[0] != '\0') return result;

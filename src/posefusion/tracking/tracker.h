@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <vector>
 
 #include "posefusion/common/parallel.h"
 #include "posefusion/common/trajectory.h"
@@ -30,8 +31,10 @@ class Tracker {
   const Eigen::Isometry3d& T_map_camera() const { return T_map_camera_; }
 
  private:
-  Eigen::Isometry3d Guess(const FramePyramid& frame) const;
-  TrackingResult Judge(const Alignment& alignment, const ModelView& view) const;
+  std::vector<Eigen::Isometry3d> Guesses(const FramePyramid& frame,
+                                         const Eigen::Isometry3d& T_view_last) const;
+  TrackingResult Judge(const Alignment& alignment, const ModelView& view, double elapsed_s) const;
+  bool IsPlausibleStep(const Eigen::Isometry3d& T_map_camera, double elapsed_s) const;
   Vector6d Velocity() const;
   void Remember(const FramePyramid& frame);
   std::size_t So3Level(const FramePyramid& frame) const;

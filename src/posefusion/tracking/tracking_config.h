@@ -9,7 +9,7 @@ namespace posefusion {
 /// Rotation that aligns the previous live image to the current one, before anything else.
 struct So3Config {
   bool enabled = true;
-  int level = 3;  ///< pyramid level that is aligned
+  int level = 4;  ///< pyramid level that is aligned
   int max_iterations = 10;
   double min_step_rad = 1e-4;     ///< stop when a step is smaller
   double max_rotation_rad = 0.6;  ///< larger results are not believed
@@ -27,9 +27,9 @@ void Describe(V& v, So3Config& c) {
 /// Frame-to-model alignment by Gauss-Newton over point-to-plane and photometric residuals.
 struct TrackingConfig {
   So3Config so3;
-  int coarsest_level = 3;
+  int coarsest_level = 4;
   int finest_level = 1;        ///< 0 = full resolution
-  int coarse_iterations = 6;   ///< at most, on every level but the finest
+  int coarse_iterations = 10;  ///< at most, on every level but the finest
   int finest_iterations = 8;   ///< at most, on the finest level
   int coarsest_stride_px = 1;  ///< sample every n-th pixel of every n-th row, coarse levels
   int finest_stride_px = 1;    ///< the same on the finest level
@@ -53,10 +53,12 @@ struct TrackingConfig {
   double min_inlier_ratio = 0.25;       ///< below, the frame is not tracked
   double min_valid_ratio = 0.05;        ///< share of pixels with depth below which nothing is tried
   double max_icp_rms_sigmas = 10.0;     ///< residuals of more depth noise sigmas: not tracked
-  double max_translation_m = 0.3;       ///< faster motion between two frames is not believed
-  double max_rotation_rad = 0.6;        ///< nor faster rotation
-  double weak_sigma_m = 0.02;           ///< pose uncertain by more than this: health kWeak
-  double covariance_scale = 30.0;       ///< neighbouring pixels' errors are alike: multiplies A^-1
+  double max_step_m = 0.2;         ///< larger motion since the last good frame is not believed ...
+  double max_speed_mps = 3.0;      ///< ... plus this times the time since then
+  double max_step_rad = 0.4;       ///< nor larger rotation ...
+  double max_speed_radps = 6.0;    ///< ... plus this times the time since then
+  double weak_sigma_m = 0.02;      ///< pose uncertain by more than this: health kWeak
+  double covariance_scale = 30.0;  ///< neighbouring pixels' errors are alike: multiplies A^-1
 };
 
 template <class V>
@@ -88,8 +90,10 @@ void Describe(V& v, TrackingConfig& c) {
   v.Field("min_inlier_ratio", c.min_inlier_ratio, 0.0, 1.0);
   v.Field("min_valid_ratio", c.min_valid_ratio, 0.0, 1.0);
   v.Field("max_icp_rms_sigmas", c.max_icp_rms_sigmas, 0.1, 1000.0);
-  v.Field("max_translation_m", c.max_translation_m, 0.01, 100.0);
-  v.Field("max_rotation_rad", c.max_rotation_rad, 0.01, 3.2);
+  v.Field("max_step_m", c.max_step_m, 0.0, 100.0);
+  v.Field("max_speed_mps", c.max_speed_mps, 0.0, 100.0);
+  v.Field("max_step_rad", c.max_step_rad, 0.0, 3.2);
+  v.Field("max_speed_radps", c.max_speed_radps, 0.0, 100.0);
   v.Field("weak_sigma_m", c.weak_sigma_m, 1e-5, 10.0);
   v.Field("covariance_scale", c.covariance_scale, 1e-3, 1e6);
 }

@@ -25,7 +25,7 @@ struct MappingRosConfig {
   bool input_is_paired = true;
   bool images_are_rectified =
       false;            ///< by the driver, though camera_info has distortion: P is used
-  int queue_size = 5;   ///< frames that may wait for tracking; the oldest is dropped
+  int queue_size = 2;   ///< frames that may wait for tracking; the oldest is dropped
   int num_threads = 2;  ///< for tracking and fusion
   double reset_after_jump_back_s = 0.5;  ///< stamps this far back mean that a bag was restarted
   bool publish_tf = true;                ///< map -> camera
