@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "posefusion/simulation/floor_grid.h"
@@ -17,6 +16,7 @@ using Eigen::Vector3d;
 constexpr double kClearance = 0.27;  // half width of a walking body, metres
 constexpr double kToCamera = 0.55;   // nearer to the robot nobody goes
 constexpr double kToOthers = 0.55;
+constexpr double kForesight_s = 3;  // a place is left in time
 constexpr double kTurn_s = 0.8;
 constexpr double kPushSpeed = 0.4;  // metres per second
 
@@ -37,20 +37,21 @@ class Planner {
 
  private:
   void PlanPerson(int person);
-  void SitFirst(HashSequence& random);
   void StandFirst(HashSequence& random);
   void StandAt(const Vector2d& place, double yaw, double duration_s, Gesture gesture);
-  bool WalkTo(const Vector2d& goal, double speed, Gesture gesture = Gesture::kNone);
+  /// Waits for a free way, goes there and could stay for a while without being in the way.
+  bool WalkTo(const Vector2d& goal, double speed, double stay_s);
   bool Cross(double speed);
   bool PushChair();
-  void SitDown(double duration_s, HashSequence& random);
+  /// Sits down, or sits from the start, and gets up when nobody is in the way.
+  void Sit(const Seat& seat, double duration_s, Gesture gesture, bool still);
   void Roam(int person, HashSequence& random);
   void Leave(HashSequence& random);
   void PlanUnseenMoves();
 
   bool Disturbs(const std::vector<Vector2d>& way, double from_s, double duration_s) const;
   bool IsTaken(const Vector2d& place, double from_s, double to_s, double margin) const;
-  std::optional<Vector2d> FreePlace(HashSequence& random, double duration_s) const;
+  Vector2d SomePlace(HashSequence& random) const;
 
   const WorldConfig& config_;
   const RoomPlan& plan_;
@@ -87,20 +88,17 @@ bool Planner::Disturbs(const std::vector<Vector2d>& way, double from_s, double d
   return false;
 }
 
-std::optional<Vector2d> Planner::FreePlace(HashSequence& random, double duration_s) const {
-  for (int attempt = 0; attempt < 30; ++attempt) {
+/// A free place to go to. In a long corridor people stay near, so that the camera meets them.
+Vector2d Planner::SomePlace(HashSequence& random) const {
+  for (int attempt = 0; attempt < 40; ++attempt) {
     const auto count = static_cast<int>(plan_.places.size());
     Vector2d place = plan_.places[static_cast<std::size_t>(random.Below(count))];
     place.x() += static_cast<double>(random.Uniform(-0.25F, 0.25F));
     place.y() += static_cast<double>(random.Uniform(-0.25F, 0.25F));
-    // In a long corridor people stay near, so that the camera meets them.
-    const double reach = 5 + attempt;
-    if ((place - here_).norm() > reach || (place - here_).norm() < 0.6) continue;
-    if (grid_.IsFree(place) && !IsTaken(place, now_s_ + 3, now_s_ + 3 + duration_s, 0.75)) {
-      return place;
-    }
+    const double distance = (place - here_).norm();
+    if (distance > 0.6 && distance < 5 + attempt && grid_.IsFree(place)) return place;
   }
-  return std::nullopt;
+  return here_;
 }
 
 void Planner::StandAt(const Vector2d& place, double yaw, double duration_s, Gesture gesture) {
@@ -110,16 +108,23 @@ void Planner::StandAt(const Vector2d& place, double yaw, double duration_s, Gest
   yaw_ = yaw;
 }
 
-bool Planner::WalkTo(const Vector2d& goal, double speed, Gesture gesture) {
+bool Planner::WalkTo(const Vector2d& goal, double speed, double stay_s) {
   const std::vector<Vector2d> way = grid_.Way(here_, goal);
   if (way.empty() || LengthOf(way) < 0.3) return false;
   const double duration = LengthOf(way) / speed + 0.5;
   const double first_yaw = YawOf(PointAlong(way, 0.3) - way.front());
   double wait = kTurn_s;
-  while (wait < 9 && Disturbs(way, now_s_ + wait, duration)) wait += 0.4;
-  if (wait >= 9) return false;
+  const auto fits = [&] {
+    const double arrival_s = now_s_ + wait + duration;
+    return !Disturbs(way, now_s_ + wait, duration) &&
+           !IsTaken(goal, arrival_s, arrival_s + stay_s + kForesight_s, kToCamera);
+  };
+  while (!fits()) {
+    wait += 0.4;
+    if (wait > 9 || IsTaken(here_, now_s_ + wait, now_s_ + wait, kToCamera)) return false;
+  }
   StandAt(here_, first_yaw, wait, Gesture::kNone);
-  segments_.push_back({Activity::kWalk, now_s_, now_s_ + duration, way, 0, gesture});
+  segments_.push_back({Activity::kWalk, now_s_, now_s_ + duration, way, 0});
   now_s_ += duration;
   here_ = goal;
   yaw_ = YawOf(way.back() - PointAlong(way, LengthOf(way) - 0.3));
@@ -162,7 +167,7 @@ bool Planner::PushChair() {
   const Vector2d from = plan_.objects.front().from.translation().head<2>();
   const Vector2d to = plan_.objects.front().to.translation().head<2>();
   const Vector2d behind = (from - to).normalized() * 0.62;
-  if (!WalkTo(from + behind, 1.0)) return false;
+  if (!WalkTo(from + behind, 1.0, 4)) return false;
   StandAt(here_, YawOf(-behind), 1.2, Gesture::kPush);
   const double duration = (to - from).norm() / kPushSpeed + 0.5;
   segments_.push_back({Activity::kWalk,
@@ -179,27 +184,16 @@ bool Planner::PushChair() {
   return true;
 }
 
-void Planner::SitDown(double duration_s, HashSequence& random) {
-  const Seat& seat = plan_.seats.front();
-  const bool still = random.Below(2) == 0;
-  segments_.push_back({Activity::kSit,
-                       now_s_,
-                       now_s_ + duration_s,
-                       {seat.position},
-                       seat.yaw_rad,
-                       still ? Gesture::kType : Gesture::kTalk,
-                       still});
-  now_s_ += duration_s;
-  StandAt(seat.beside, seat.yaw_rad, 2.2, Gesture::kNone);
-}
-
-void Planner::SitFirst(HashSequence& random) {
-  const Seat& seat = plan_.seats.front();
-  const double duration = std::max(34.0, 0.5 * config_.seconds);
+void Planner::Sit(const Seat& seat, double duration_s, Gesture gesture, bool still) {
+  double end_s = now_s_ + duration_s;
+  while (end_s < 2 * config_.seconds &&
+         IsTaken(seat.beside, end_s - 1, end_s + 5, kToCamera + 0.3)) {
+    end_s += 1;
+  }
   segments_.push_back(
-      {Activity::kSit, 0, duration, {seat.position}, seat.yaw_rad, Gesture::kType, true});
-  now_s_ = duration;
-  StandAt(seat.beside, seat.yaw_rad, 2.2 + random.Uniform(), Gesture::kNone);
+      {Activity::kSit, now_s_, end_s, {seat.position}, seat.yaw_rad, gesture, still});
+  now_s_ = end_s;
+  StandAt(seat.beside, seat.yaw_rad, 2.2, Gesture::kNone);
 }
 
 void Planner::StandFirst(HashSequence& random) {
@@ -215,7 +209,7 @@ void Planner::StandFirst(HashSequence& random) {
 
 void Planner::Leave(HashSequence& random) {
   const auto side = static_cast<std::size_t>(random.Below(static_cast<int>(plan_.outside.size())));
-  if (!WalkTo(plan_.outside[side], 1.15)) return;
+  if (!WalkTo(plan_.outside[side], 1.15, 3)) return;
   StandAt(here_, yaw_, static_cast<double>(random.Uniform(3, 8)), Gesture::kNone);
 }
 
@@ -225,13 +219,13 @@ void Planner::Roam(int person, HashSequence& random) {
   if (person == 0 && !pushed_ && now_s_ > 0.3 * config_.seconds && PushChair()) return;
   if (what <= 2 && Cross(speed)) return;
   if (what == 3) return Leave(random);
-  const double duration = static_cast<double>(random.Uniform(1.0F, 5.0F));
-  const auto place = FreePlace(random, duration);
-  if (!place || !WalkTo(*place, speed)) {
-    return StandAt(here_, yaw_, 1.0, Gesture::kNone);
-  }
+  const double stay_s = static_cast<double>(random.Uniform(1.0F, 5.0F));
   const auto gesture = static_cast<Gesture>(random.Below(4));
-  StandAt(here_, yaw_ + static_cast<double>(random.Uniform(-2, 2)), duration, gesture);
+  for (int attempt = 0; attempt < 12; ++attempt) {
+    if (!WalkTo(SomePlace(random), speed, stay_s)) continue;
+    return StandAt(here_, yaw_ + static_cast<double>(random.Uniform(-2, 2)), stay_s, gesture);
+  }
+  StandAt(here_, yaw_, 0.5, Gesture::kNone);
 }
 
 void Planner::PlanPerson(int person) {
@@ -243,16 +237,16 @@ void Planner::PlanPerson(int person) {
   const BodyShape shape(static_cast<double>(random.Uniform(1.58F, 1.88F)),
                         static_cast<double>(random.Uniform(0.92F, 1.12F)));
   if (person == 1) {
-    SitFirst(random);
+    Sit(plan_.seats.front(), std::max(34.0, 0.5 * config_.seconds), Gesture::kType, true);
   } else {
     StandFirst(random);
   }
   bool has_sat = person != 2;
   while (now_s_ < config_.seconds) {
     const Seat& seat = plan_.seats.back();
-    if (!has_sat && now_s_ > 4 && plan_.seats.size() > 1 && WalkTo(seat.beside, 1.0)) {
+    if (!has_sat && now_s_ > 4 && plan_.seats.size() > 1 && WalkTo(seat.beside, 1.0, 1)) {
       has_sat = true;
-      SitDown(8, random);
+      Sit(seat, 8, Gesture::kTalk, false);
     }
     Roam(person, random);
   }
