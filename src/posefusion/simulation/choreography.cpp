@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "posefusion/simulation/floor_grid.h"
@@ -13,8 +14,10 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kClearance = 0.27;  // half width of a walking body, metres
-constexpr double kToCamera = 0.55;   // nearer to the robot nobody goes
+constexpr double kClearance = 0.27;        // half width of a walking body, metres
+constexpr double kNarrow = 0.16;           // half width of one that squeezes past
+constexpr double kToCamera = 0.55;         // nearer to the robot nobody goes
+constexpr double kToCrossedCamera = 0.36;  // except to cross close before it
 constexpr double kToOthers = 0.55;
 constexpr double kForesight_s = 3;  // a place is left in time
 constexpr double kTurn_s = 0.8;
@@ -22,11 +25,24 @@ constexpr double kPushSpeed = 0.4;  // metres per second
 
 double YawOf(const Vector2d& direction) { return std::atan2(direction.y(), direction.x()); }
 
+/// Walking through the camera's picture.
+struct Crossing {
+  Vector2d from;
+  Vector2d to;
+  std::vector<Vector2d> approach;  ///< way to `from`
+  double approach_from_s;
+  double from_s;
+  double duration_s;
+};
+
 /// Plans one person after the other; later ones keep away from earlier ones and from the camera.
 class Planner {
  public:
   Planner(const WorldConfig& config, const RoomPlan& plan)
-      : config_(config), plan_(plan), grid_(plan.floor, plan.obstacles, kClearance) {}
+      : config_(config),
+        plan_(plan),
+        grid_(plan.floor, plan.obstacles, kClearance),
+        close_grid_(plan.floor, plan.obstacles, kNarrow) {}
 
   Choreography Plan() {
     result_.moves.resize(plan_.objects.size());
@@ -49,13 +65,17 @@ class Planner {
   void Leave(HashSequence& random);
   void PlanUnseenMoves();
 
-  bool Disturbs(const std::vector<Vector2d>& way, double from_s, double duration_s) const;
+  std::optional<Crossing> CrossingAt(double meet_s, double distance_m, double half_m,
+                                     double speed) const;
+  bool Disturbs(const std::vector<Vector2d>& way, double from_s, double duration_s,
+                double margin = kToCamera) const;
   bool IsTaken(const Vector2d& place, double from_s, double to_s, double margin) const;
   Vector2d SomePlace(HashSequence& random) const;
 
   const WorldConfig& config_;
   const RoomPlan& plan_;
   FloorGrid grid_;
+  FloorGrid close_grid_;  ///< for squeezing past
   Choreography result_;
   std::vector<Segment> segments_;  ///< of the person being planned
   double now_s_ = 0;
@@ -79,11 +99,12 @@ bool Planner::IsTaken(const Vector2d& place, double from_s, double to_s, double 
                      [&](const Vector2d& p) { return (p - place).norm() < margin; });
 }
 
-bool Planner::Disturbs(const std::vector<Vector2d>& way, double from_s, double duration_s) const {
+bool Planner::Disturbs(const std::vector<Vector2d>& way, double from_s, double duration_s,
+                       double margin) const {
   const double length = LengthOf(way);
   for (double t = 0.4; t <= duration_s; t += 0.2) {
     const Vector2d at = PointAlong(way, length * WalkedShare(t / duration_s, duration_s));
-    if (IsTaken(at, from_s + t, from_s + t, kToCamera)) return true;
+    if (IsTaken(at, from_s + t, from_s + t, margin)) return true;
   }
   return false;
 }
@@ -131,34 +152,51 @@ bool Planner::WalkTo(const Vector2d& goal, double speed, double stay_s) {
   return true;
 }
 
-/// Walks through the picture of the camera at arm's length from it, from one side to the other.
+/// A way through the picture of the camera at meet_s, `distance_m` before it, that can be reached.
+std::optional<Crossing> Planner::CrossingAt(double meet_s, double distance_m, double half_m,
+                                            double speed) const {
+  const Eigen::Isometry3d T = config_.head->T_map_camera(meet_s);
+  const Vector2d forward = T.linear().col(2).head<2>().normalized();
+  const Vector2d middle = T.translation().head<2>() + distance_m * forward;
+  const Vector2d side(-forward.y() * half_m, forward.x() * half_m);
+  Crossing c{middle + side, middle - side, {}, 0, 0, 2 * std::abs(half_m) / speed + 0.5};
+  c.from_s = meet_s - c.duration_s / 2;
+  if (!close_grid_.IsFree(c.from, c.to)) return std::nullopt;
+  if (Disturbs({c.from, c.to}, c.from_s, c.duration_s, kToCrossedCamera)) return std::nullopt;
+  c.approach = grid_.Way(here_, c.from);
+  if (c.approach.size() < 2) return std::nullopt;
+  const double approach_s = LengthOf(c.approach) / speed + 0.5;
+  c.approach_from_s = c.from_s - kTurn_s - approach_s;
+  if (c.approach_from_s < now_s_ + 0.3 ||
+      IsTaken(here_, now_s_, c.approach_from_s, kToCrossedCamera) ||
+      Disturbs(c.approach, c.approach_from_s, approach_s, kToCrossedCamera)) {
+    return std::nullopt;
+  }
+  return c;
+}
+
+/// Walks through the picture of the camera, as near as there is room, from one side to the other.
 bool Planner::Cross(double speed) {
   if (!config_.head) return false;
-  for (int attempt = 0; attempt < 24; ++attempt) {
-    const double meet_s = now_s_ + 4 + 0.5 * (attempt / 4);
-    const Eigen::Isometry3d T = config_.head->T_map_camera(meet_s);
-    const Vector2d camera = T.translation().head<2>();
-    const Vector2d forward = T.linear().col(2).head<2>().normalized();
-    const Vector2d side = Vector2d(-forward.y(), forward.x()) * (attempt % 2 == 0 ? 1 : -1);
-    const Vector2d middle = camera + (attempt % 4 < 2 ? 0.75 : 0.95) * forward;
-    const Vector2d from = middle + 0.9 * side;
-    const Vector2d to = middle - 0.9 * side;
-    if (!grid_.IsFree(from, to)) continue;
-    const std::vector<Vector2d> approach = grid_.Way(here_, from);
-    if (approach.size() < 2) continue;
-    const double arrive_s = meet_s - 0.9 / speed - 0.25 - 2 * kTurn_s;
-    const double start_s = arrive_s - LengthOf(approach) / 1.2 - 0.5;
-    if (start_s < now_s_ + 0.1 || Disturbs(approach, start_s, arrive_s - start_s)) continue;
-    const double duration = 1.8 / speed + 0.5;
-    if (Disturbs({from, to}, meet_s - duration / 2, duration)) continue;
-    StandAt(here_, YawOf(PointAlong(approach, 0.3) - here_), start_s - now_s_, Gesture::kNone);
-    segments_.push_back({Activity::kWalk, start_s, arrive_s, approach, 0});
-    now_s_ = arrive_s;
-    StandAt(from, YawOf(to - from), meet_s - duration / 2 - arrive_s, Gesture::kNone);
-    segments_.push_back({Activity::kWalk, now_s_, now_s_ + duration, {from, to}, 0});
-    now_s_ += duration;
-    here_ = to;
-    return true;
+  for (double delay = 3; delay < 11; delay += 0.5) {
+    for (const double distance : {0.5, 0.62, 0.8, 1.0}) {
+      for (const double half : {0.9, -0.9, 0.65, -0.65}) {
+        const auto crossing = CrossingAt(now_s_ + delay, distance, half, speed);
+        if (!crossing) continue;
+        const Crossing& c = *crossing;
+        StandAt(here_, YawOf(PointAlong(c.approach, 0.3) - here_), c.approach_from_s - now_s_,
+                Gesture::kNone);
+        const double arrival_s = c.from_s - kTurn_s;
+        segments_.push_back({Activity::kWalk, now_s_, arrival_s, c.approach, 0});
+        now_s_ = arrival_s;
+        StandAt(c.from, YawOf(c.to - c.from), kTurn_s, Gesture::kNone);
+        segments_.push_back({Activity::kWalk, now_s_, now_s_ + c.duration_s, {c.from, c.to}, 0});
+        now_s_ += c.duration_s;
+        here_ = c.to;
+        yaw_ = YawOf(c.to - c.from);
+        return true;
+      }
+    }
   }
   return false;
 }
@@ -217,8 +255,8 @@ void Planner::Roam(int person, HashSequence& random) {
   const double speed = static_cast<double>(random.Uniform(0.85F, 1.25F));
   const int what = random.Below(8);
   if (person == 0 && !pushed_ && now_s_ > 0.3 * config_.seconds && PushChair()) return;
-  if (what <= 2 && Cross(speed)) return;
-  if (what == 3) return Leave(random);
+  if (what <= 3 && Cross(speed)) return;
+  if (what == 4) return Leave(random);
   const double stay_s = static_cast<double>(random.Uniform(1.0F, 5.0F));
   const auto gesture = static_cast<Gesture>(random.Below(4));
   for (int attempt = 0; attempt < 12; ++attempt) {
