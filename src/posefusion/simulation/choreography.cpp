@@ -7,6 +7,7 @@
 
 #include "posefusion/simulation/floor_grid.h"
 #include "posefusion/simulation/hash_random.h"
+#include "posefusion/simulation/traffic.h"
 
 namespace posefusion {
 namespace {
@@ -17,9 +18,8 @@ using Eigen::Vector3d;
 constexpr double kClearance = 0.27;        // half width of a walking body, metres
 constexpr double kNarrow = 0.16;           // half width of one that squeezes past
 constexpr double kToCamera = 0.55;         // nearer to the robot nobody goes
-constexpr double kToCrossedCamera = 0.36;  // except to cross close before it
-constexpr double kToOthers = 0.55;
-constexpr double kForesight_s = 3;  // a place is left in time
+constexpr double kToCrossedCamera = 0.46;  // except to cross close before it
+constexpr double kForesight_s = 3;         // a place is left in time
 constexpr double kTurn_s = 0.8;
 constexpr double kPushSpeed = 0.4;  // metres per second
 
@@ -42,7 +42,8 @@ class Planner {
       : config_(config),
         plan_(plan),
         grid_(plan.floor, plan.obstacles, kClearance),
-        close_grid_(plan.floor, plan.obstacles, kNarrow) {}
+        close_grid_(plan.floor, plan.obstacles, kNarrow),
+        traffic_(config) {}
 
   Choreography Plan() {
     result_.moves.resize(plan_.objects.size());
@@ -67,15 +68,13 @@ class Planner {
 
   std::optional<Crossing> CrossingAt(double meet_s, double distance_m, double half_m,
                                      double speed) const;
-  bool Disturbs(const std::vector<Vector2d>& way, double from_s, double duration_s,
-                double margin = kToCamera) const;
-  bool IsTaken(const Vector2d& place, double from_s, double to_s, double margin) const;
   Vector2d SomePlace(HashSequence& random) const;
 
   const WorldConfig& config_;
   const RoomPlan& plan_;
   FloorGrid grid_;
   FloorGrid close_grid_;  ///< for squeezing past
+  Traffic traffic_;
   Choreography result_;
   std::vector<Segment> segments_;  ///< of the person being planned
   double now_s_ = 0;
@@ -83,31 +82,6 @@ class Planner {
   double yaw_ = 0;
   bool pushed_ = false;
 };
-
-bool Planner::IsTaken(const Vector2d& place, double from_s, double to_s, double margin) const {
-  for (double t = from_s; t <= to_s; t += 0.25) {
-    if (config_.head) {
-      const Vector3d camera = config_.head->T_map_camera(t).translation();
-      if ((camera.head<2>() - place).norm() < margin) return true;
-    }
-    for (const auto& other : result_.people) {
-      if ((other.FloorAt(t) - place).norm() < kToOthers) return true;
-    }
-  }
-  if (to_s - from_s < 2) return false;
-  return std::any_of(config_.keep_clear.begin(), config_.keep_clear.end(),
-                     [&](const Vector2d& p) { return (p - place).norm() < margin; });
-}
-
-bool Planner::Disturbs(const std::vector<Vector2d>& way, double from_s, double duration_s,
-                       double margin) const {
-  const double length = LengthOf(way);
-  for (double t = 0.4; t <= duration_s; t += 0.2) {
-    const Vector2d at = PointAlong(way, length * WalkedShare(t / duration_s, duration_s));
-    if (IsTaken(at, from_s + t, from_s + t, margin)) return true;
-  }
-  return false;
-}
 
 /// A free place to go to. In a long corridor people stay near, so that the camera meets them.
 Vector2d Planner::SomePlace(HashSequence& random) const {
@@ -137,12 +111,12 @@ bool Planner::WalkTo(const Vector2d& goal, double speed, double stay_s) {
   double wait = kTurn_s;
   const auto fits = [&] {
     const double arrival_s = now_s_ + wait + duration;
-    return !Disturbs(way, now_s_ + wait, duration) &&
-           !IsTaken(goal, arrival_s, arrival_s + stay_s + kForesight_s, kToCamera);
+    return !traffic_.IsTaken(way, now_s_ + wait, duration, kToCamera) &&
+           !traffic_.IsTaken(goal, arrival_s, arrival_s + stay_s + kForesight_s, kToCamera);
   };
   while (!fits()) {
     wait += 0.4;
-    if (wait > 9 || IsTaken(here_, now_s_ + wait, now_s_ + wait, kToCamera)) return false;
+    if (wait > 9 || traffic_.IsTaken(here_, now_s_ + wait, now_s_ + wait, kToCamera)) return false;
   }
   StandAt(here_, first_yaw, wait, Gesture::kNone);
   segments_.push_back({Activity::kWalk, now_s_, now_s_ + duration, way, 0});
@@ -162,14 +136,16 @@ std::optional<Crossing> Planner::CrossingAt(double meet_s, double distance_m, do
   Crossing c{middle + side, middle - side, {}, 0, 0, 2 * std::abs(half_m) / speed + 0.5};
   c.from_s = meet_s - c.duration_s / 2;
   if (!close_grid_.IsFree(c.from, c.to)) return std::nullopt;
-  if (Disturbs({c.from, c.to}, c.from_s, c.duration_s, kToCrossedCamera)) return std::nullopt;
+  if (traffic_.IsTaken(std::vector<Vector2d>{c.from, c.to}, c.from_s, c.duration_s,
+                       kToCrossedCamera))
+    return std::nullopt;
   c.approach = grid_.Way(here_, c.from);
   if (c.approach.size() < 2) return std::nullopt;
   const double approach_s = LengthOf(c.approach) / speed + 0.5;
   c.approach_from_s = c.from_s - kTurn_s - approach_s;
   if (c.approach_from_s < now_s_ + 0.3 ||
-      IsTaken(here_, now_s_, c.approach_from_s, kToCrossedCamera) ||
-      Disturbs(c.approach, c.approach_from_s, approach_s, kToCrossedCamera)) {
+      traffic_.IsTaken(here_, now_s_, c.approach_from_s, kToCrossedCamera) ||
+      traffic_.IsTaken(c.approach, c.approach_from_s, approach_s, kToCrossedCamera)) {
     return std::nullopt;
   }
   return c;
@@ -179,7 +155,7 @@ std::optional<Crossing> Planner::CrossingAt(double meet_s, double distance_m, do
 bool Planner::Cross(double speed) {
   if (!config_.head) return false;
   for (double delay = 3; delay < 11; delay += 0.5) {
-    for (const double distance : {0.5, 0.62, 0.8, 1.0}) {
+    for (const double distance : {0.52, 0.65, 0.8, 1.0}) {
       for (const double half : {0.9, -0.9, 0.65, -0.65}) {
         const auto crossing = CrossingAt(now_s_ + delay, distance, half, speed);
         if (!crossing) continue;
@@ -225,7 +201,7 @@ bool Planner::PushChair() {
 void Planner::Sit(const Seat& seat, double duration_s, Gesture gesture, bool still) {
   double end_s = now_s_ + duration_s;
   while (end_s < 2 * config_.seconds &&
-         IsTaken(seat.beside, end_s - 1, end_s + 5, kToCamera + 0.3)) {
+         traffic_.IsTaken(seat.beside, end_s - 1, end_s + 5, kToCamera + 0.3)) {
     end_s += 1;
   }
   segments_.push_back(
@@ -239,7 +215,7 @@ void Planner::StandFirst(HashSequence& random) {
   for (int attempt = 0; attempt < 60; ++attempt) {
     const auto number = random.Below(static_cast<int>(plan_.places.size()));
     here_ = plan_.places[static_cast<std::size_t>(number)];
-    if (grid_.IsFree(here_) && !IsTaken(here_, 0, 3, 0.8)) break;
+    if (grid_.IsFree(here_) && !traffic_.IsTaken(here_, 0, 3, 0.8)) break;
   }
   StandAt(here_, static_cast<double>(random.Uniform(-3.1F, 3.1F)), random.Uniform(0.6F, 1.6F),
           Gesture::kNone);
@@ -290,6 +266,8 @@ void Planner::PlanPerson(int person) {
   }
   result_.shapes.push_back(shape);
   result_.people.emplace_back(shape, segments_);
+  const PersonTimeline& timeline = result_.people.back();
+  traffic_.AddPerson([&](double time_s) { return timeline.FloorAt(time_s); });
 }
 
 /// The other objects change their place while the camera looks elsewhere.
