@@ -1,7 +1,7 @@
 // Pictures of the simulated world: what the sensor sees at some moments, and the rooms from above.
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <opencv2/imgcodecs.hpp>
@@ -13,7 +13,7 @@
 namespace posefusion {
 namespace {
 
-/// Looks from one place to another, or walks around the table.
+/// Walks around the table and looks across it, nodding.
 class Visitor : public HeadMotion {
  public:
   Eigen::Isometry3d T_map_camera(double time_s) const override {
@@ -25,6 +25,7 @@ class Visitor : public HeadMotion {
     return Looking(position, target);
   }
 
+ private:
   static Eigen::Isometry3d Looking(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
     const Eigen::Vector3d forward = (to - from).normalized();
     const Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
@@ -80,6 +81,21 @@ cv::Mat FromAbove(Renderer& renderer, RoomKind room, double time_s, const Parall
   return Colored(renderer.Render(camera, T, time_s, runner, kHeight - 2.4).radiance);
 }
 
+/// All pictures of one moment; prints how much of the view people take, and the motion blur.
+void DrawMoment(const std::string& name, const WorldConfig& config, Renderer& renderer,
+                Sensor& sensor, double time_s, const ParallelRunner& runner) {
+  const SensorFrame frame =
+      sensor.Capture(*config.head, time_s, time_s + 0.005, static_cast<int>(time_s * 30), runner);
+  Write(name + "_color.png", frame.frame.rgb);
+  Write(name + "_depth.png", ColoredDepth(frame.frame.depth_m));
+  Write(name + "_true_depth.png", ColoredDepth(frame.true_depth_m));
+  Write(name + "_labels.png", ColoredLabels(frame.labels));
+  Write(name + "_above.png", FromAbove(renderer, config.room, time_s, runner));
+  const double people = cv::mean(frame.labels >= kLabelPerson)[0] / 255;
+  std::cout << time_s << " s: " << static_cast<int>(100 * people) << " % people, blur "
+            << frame.blur_length_px << " px\n";
+}
+
 }  // namespace
 }  // namespace posefusion
 
@@ -107,21 +123,10 @@ int main(int argc, char** argv) {
     const World world(config);
     const ParallelRunner runner(threads);
     Renderer renderer(world);
-    const SensorConfig sensor_config;
-    Sensor sensor(sensor_config, world);
+    Sensor sensor(SensorConfig{}, world);
     for (double t = 0; t < config.seconds; t += step_s) {
-      const std::string name = out + "/" + std::to_string(static_cast<int>(t * 10));
-      const View view =
-          renderer.Render(sensor_config.camera, config.head->T_map_camera(t), t, runner);
-      Write(name + "_ideal.png", Colored(view.radiance));
-      Write(name + "_labels.png", ColoredLabels(view.labels));
-      Write(name + "_depth.png", ColoredDepth(view.depth_m));
-      const SensorFrame frame =
-          sensor.Capture(*config.head, t, t + 0.008, static_cast<int>(t * 30), runner);
-      Write(name + "_color.png", frame.frame.rgb);
-      Write(name + "_measured.png", ColoredDepth(frame.frame.depth_m));
-      std::cout << t << " s: blur " << frame.blur_length_px << " px\n";
-      Write(name + "_above.png", FromAbove(renderer, config.room, t, runner));
+      DrawMoment(out + "/" + std::to_string(static_cast<int>(std::lround(t * 10))), config,
+                 renderer, sensor, t, runner);
     }
   } catch (const std::exception& error) {
     std::cerr << "draw_simulation: " << error.what() << "\n";

@@ -70,7 +70,7 @@ void PlaceLeg(const BodyShape& s, const Leg& leg, bool left, PersonPose& pose) {
 void PlaceArm(const BodyShape& s, const Isometry3d& T_map_chest, const LimbAngles& a, bool left,
               PersonPose& pose) {
   const double side = left ? 1 : -1;
-  const Isometry3d upper = T_map_chest * Shift(0, side * s.shoulder_half, 0.78 * s.trunk) *
+  const Isometry3d upper = T_map_chest * Shift(0, side * s.shoulder_half, 0.73 * s.trunk) *
                            Roll(side * a.shoulder_out) * Pitch(-a.shoulder) *
                            Yaw(-side * a.shoulder_in);
   const Isometry3d fore = upper * Shift(0, 0, -s.upper_arm) * Pitch(-a.elbow);

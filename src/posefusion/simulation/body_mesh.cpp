@@ -40,15 +40,15 @@ TriangleMesh Pelvis(const BodyShape& s, const Skin& skin) {
 TriangleMesh Chest(const BodyShape& s, const Skin& skin) {
   const double w = (s.shoulder_half + 0.01) * s.girth;
   const double d = 0.12 * s.girth;
-  const double top = 0.8 * s.trunk;
   return FromRings({{-0.09, 0.80 * w, 1.08 * d},
                     {-0.06, 0.82 * w, 1.1 * d},
                     {0.12 * s.trunk, 0.84 * w, 1.0 * d, 0.01},
                     {0.4 * s.trunk, 0.97 * w, 1.05 * d, 0.015},
-                    {0.6 * s.trunk, 1.04 * w, 0.98 * d, 0.008},
-                    {0.72 * s.trunk, 1.02 * w, 0.8 * d},
-                    {top - 0.005, 0.8 * w, 0.58 * d},
-                    {top + 0.03, 0.36 * w, 0.5 * d}},
+                    {0.58 * s.trunk, 1.04 * w, 1.0 * d, 0.008},
+                    {0.69 * s.trunk, 1.06 * w, 0.86 * d},
+                    {0.76 * s.trunk, 0.95 * w, 0.68 * d},
+                    {0.82 * s.trunk, 0.62 * w, 0.56 * d},
+                    {0.87 * s.trunk, 0.32 * w, 0.48 * d}},
                    skin);
 }
 
@@ -121,7 +121,7 @@ std::array<TriangleMesh, kNumBodyParts> BodyMeshes(const BodyShape& s, int perso
   parts[kHead] = HeadMesh(s, Skin{PersonMaterial(person, kHeadSurface), 0, {}});
   for (const bool left : {false, true}) {
     parts[left ? kLeftUpperArm : kRightUpperArm] =
-        Limb(s.upper_arm, 0.058 * g, 0.05 * g, 0.042 * g, shirt);
+        Limb(s.upper_arm, 0.052 * g, 0.049 * g, 0.042 * g, shirt);
     parts[left ? kLeftForearm : kRightForearm] =
         Limb(s.forearm, 0.042 * g, 0.042 * g, 0.027, short_sleeves ? skin : shirt);
     parts[left ? kLeftHand : kRightHand] = Hand(s, skin);

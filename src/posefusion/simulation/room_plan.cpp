@@ -111,7 +111,7 @@ void FurnishMiddle(Builder& b, std::uint32_t seed) {
   furniture::AddTable(mesh, b.Place(0, 0, 0), 1.5, 0.8, seed);
   furniture::AddDesktop(mesh, b.Place(0, 0, 0), 1.5, 0.8, seed);
   b.Block(-0.75, -0.4, 0.75, 0.4);
-  b.AddChairWithSeat(-0.42, -0.64, M_PI, seed % 2 == 0 ? kSeatRed : kSeatBlue, 0.62);
+  b.AddChairWithSeat(-0.42, -0.64, M_PI, seed % 2 == 0 ? kSeatRed : kSeatBlue, 0.5);
   mesh.SetPlacement(b.Place(0, 0, 0));
   mesh.AddBox({-1.3, -0.9, 0.0005}, {1.3, 0.9, 0.008}, {kRug, 2.6, {}});
 }
