@@ -75,20 +75,28 @@ class TrimmedSource : public pf::FrameSource {
   std::optional<pf::StampNs> first_stamp_ns_;
 };
 
-std::unique_ptr<pf::FrameSource> OpenSource(const Arguments& arguments) {
+struct Source {
+  std::unique_ptr<pf::FrameSource> frames;
+  std::shared_ptr<const pf::SimulatedRun> simulation;  ///< null for recorded frames
+};
+
+Source OpenSource(const Arguments& arguments) {
   if (EndsWith(arguments.source, ".bag")) {
-    return std::make_unique<TrimmedSource>(std::make_unique<pf::BagSource>(arguments.source),
-                                           arguments.start_s, arguments.max_frames);
+    return {std::make_unique<TrimmedSource>(std::make_unique<pf::BagSource>(arguments.source),
+                                            arguments.start_s, arguments.max_frames),
+            nullptr};
   }
   if (const auto simulation = pf::ParseSimulationName(arguments.source)) {
-    return std::make_unique<TrimmedSource>(
-        std::make_unique<pf::SimSource>(*simulation, arguments.num_threads), arguments.start_s,
-        arguments.max_frames);
+    auto frames = std::make_unique<pf::SimSource>(*simulation, arguments.num_threads);
+    auto run = frames->run();
+    return {
+        std::make_unique<TrimmedSource>(std::move(frames), arguments.start_s, arguments.max_frames),
+        std::move(run)};
   }
   pf::TumFolderOptions options;
   options.start_s = arguments.start_s;
   options.max_frames = arguments.max_frames;
-  return std::make_unique<pf::TumFolderSource>(arguments.source, options);
+  return {std::make_unique<pf::TumFolderSource>(arguments.source, options), nullptr};
 }
 
 /// What the run came to, in a few lines.
@@ -107,17 +115,20 @@ int Run(const Arguments& arguments) {
     files.insert(files.begin(), pf::PresetFile(arguments.preset));
   }
   const pf::SystemConfig config = pf::LoadSystemConfig(files);
-  pf::PrefetchedSource source(OpenSource(arguments));
+  Source source = OpenSource(arguments);
+  auto frames = std::make_unique<pf::PrefetchedSource>(std::move(source.frames));
   pf::CatchInterrupts();
-  pf::Progress progress("run_dataset", source.NumFrames());
+  pf::Progress progress("run_dataset", frames->NumFrames());
   pf::OfflineRunHooks hooks;
   hooks.should_stop = [] { return pf::interrupted.load(); };
   hooks.on_frame = [&](int done) { progress.Update(done); };
   hooks.on_error = [&](const std::string& text) { progress.Print("run_dataset: " + text); };
-  const pf::OfflineRun run = pf::RunOffline(source, config, arguments.num_threads, hooks);
+  const pf::OfflineRun run = pf::RunOffline(*frames, config, arguments.num_threads, hooks);
   progress.Finish();
+  frames.reset();  // ends its thread
   if (pf::interrupted) std::fprintf(stderr, "run_dataset: interrupted, saving what there is\n");
   pf::WriteRunOutput(run, config, arguments.out);
+  if (source.simulation) source.simulation->WriteTruth(arguments.out + "/truth");
   PrintSummary(run, arguments.out);
   if (run.frames.empty()) throw std::runtime_error(arguments.source + ": no frame could be used");
   return run.errors.empty() ? 0 : kExitFailure;

@@ -95,6 +95,18 @@ TEST(FolderWriter, WritesTheSameFilesForAnyNumberOfThreads) {
   }
 }
 
+TEST(SimSource, WritesTheTruthOfTheFramesGivenOut) {
+  const TemporaryFolder folder;
+  WriteRun(folder / "run", ShortRun(), 2);
+  SimSource source(ShortRun(), 2);
+  while (source.Next()) continue;
+  source.run()->WriteTruth(folder / "truth");
+  const auto whole = Contents(folder / "run");
+  const auto truth = Contents(folder / "truth");
+  EXPECT_GE(truth.size(), 13u);
+  for (const auto& [name, text] : truth) EXPECT_EQ(whole.at(name), text) << name;
+}
+
 TEST(FolderWriter, TruthCoversEveryFrame) {
   const TemporaryFolder folder;
   WriteRun(folder / "run", ShortRun(), 2);

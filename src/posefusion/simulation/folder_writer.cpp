@@ -1,14 +1,13 @@
 #include "posefusion/simulation/folder_writer.h"
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
+#include <vector>
 
 #include "posefusion/common/atomic_file.h"
-#include "posefusion/simulation/robot_files.h"
+#include "posefusion/simulation/truth_files.h"
 
 namespace posefusion {
 namespace {
@@ -80,21 +79,13 @@ FolderWriter::~FolderWriter() {
 }
 
 void FolderWriter::Write(const SimulatedFrame& frame, const Simulator& simulator) {
-  const std::string stamp = FormatStamp(frame.frame.stamp_ns);
-  const std::string depth_stamp = FormatStamp(frame.frame.depth_stamp_ns);
   cv::Mat bgr;
   cv::cvtColor(frame.frame.rgb, bgr, cv::COLOR_RGB2BGR);
-  WritePng(bgr, PathOf("rgb/" + stamp + ".png"));
-  WritePng(QuantizeDepth(frame.frame.depth_m), PathOf("depth/" + depth_stamp + ".png"));
-  WritePng(frame.labels, PathOf("labels/" + stamp + ".png"));
-  rgb_list_ += stamp + " rgb/" + stamp + ".png\n";
-  depth_list_ += depth_stamp + " depth/" + depth_stamp + ".png\n";
-  std::array<char, 32> blur{};
-  std::snprintf(blur.data(), blur.size(), " %.3f\n", frame.blur_length_px);
-  blur_list_ += stamp + blur.data();
+  WritePng(bgr, PathOf(RgbFileName(frame)));
+  WritePng(QuantizeDepth(frame.frame.depth_m), PathOf(DepthFileName(frame)));
+  WritePng(frame.labels, PathOf("labels/" + FormatStamp(frame.frame.stamp_ns) + ".png"));
   WriteKeypoints(frame, simulator);
-  people_.push_back(PeopleAt(simulator.world(), frame.time_s));
-  occlusions_.Add(frame.frame.stamp_ns, StaticShare(frame.labels));
+  truth_.Add(frame, simulator);
 }
 
 void FolderWriter::WriteKeypoints(const SimulatedFrame& frame, const Simulator& simulator) {
@@ -107,14 +98,10 @@ void FolderWriter::WriteKeypoints(const SimulatedFrame& frame, const Simulator& 
 }
 
 void FolderWriter::Close(const Simulator& simulator) {
-  WriteFileAtomically(PathOf("rgb.txt"), rgb_list_);
-  WriteFileAtomically(PathOf("depth.txt"), depth_list_);
-  WriteFileAtomically(PathOf("blur.txt"), blur_list_);
   if (simulator.config().keypoint_timing.latency_s > 0) {
     WriteFileAtomically(PathOf("keypoints/arrival.txt"), arrivals_);
   }
-  WriteRobotFiles(RecordRobot(simulator.config(), simulator.mover()), partial_);
-  WriteWorldFiles(simulator, people_, occlusions_.events(), partial_);
+  truth_.Write(simulator, partial_);
   WriteSimulationFile(simulator, partial_);
   try {
     Rename(partial_, folder_);

@@ -1,17 +1,14 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "posefusion/simulation/events.h"
 #include "posefusion/simulation/simulator.h"
-#include "posefusion/simulation/truth_files.h"
+#include "posefusion/simulation/truth_recorder.h"
 
 namespace posefusion {
 
 /// Writes a simulated run as a folder in the format of the TUM RGB-D benchmark (rgb/, depth/ in
-/// units of 1/5000 m, rgb.txt, depth.txt, camera.yaml) with its truth: labels/ and keypoints/ by
-/// colour stamp, blur.txt (stamp, pixels), and the files of truth_files.h and robot_files.h.
+/// units of 1/5000 m) with labels/ and keypoints/ by colour stamp and the files of TruthRecorder.
 ///
 /// Everything grows in `<folder>.partial` and gets its name in Close; without Close nothing stays.
 class FolderWriter {
@@ -36,12 +33,8 @@ class FolderWriter {
   std::string folder_;
   std::string partial_;
   bool complete_ = false;
-  std::string rgb_list_ = "# stamp file\n";
-  std::string depth_list_ = "# stamp file\n";
-  std::string blur_list_ = "# stamp blur_px\n";
   std::string arrivals_ = "# stamp arrival_stamp\n";
-  std::vector<PeopleAtStamp> people_;
-  OcclusionRecorder occlusions_;
+  TruthRecorder truth_;
 };
 
 }  // namespace posefusion

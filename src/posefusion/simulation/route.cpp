@@ -32,7 +32,7 @@ Route TableRoute(int seed) {
   }
   route.closed = true;
   route.look_aside_rad = 0.5 * sense;
-  route.gaze_yaw_rad = 0.95 * sense;
+  route.gaze_yaw_rad = 1.1 * sense;
   route.gaze_range_rad = 0.3;
   route.gaze_pitch_rad = 0.35;
   return route;

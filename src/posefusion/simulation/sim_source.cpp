@@ -1,17 +1,25 @@
 #include "posefusion/simulation/sim_source.h"
 
+#include <filesystem>
+#include <stdexcept>
 #include <utility>
 
 namespace posefusion {
 
-SimSource::SimSource(const SimulationConfig& config, int num_threads,
-                     std::function<void(const SimulatedFrame&)> on_frame)
-    : simulator_(config, num_threads), on_frame_(std::move(on_frame)) {}
+void SimulatedRun::WriteTruth(const std::string& folder) const {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw std::runtime_error(folder + ": cannot be made: " + error.message());
+  truth.Write(simulator, folder);
+}
+
+SimSource::SimSource(const SimulationConfig& config, int num_threads)
+    : run_(new SimulatedRun{Simulator(config, num_threads), {}}) {}
 
 std::optional<RgbdFrame> SimSource::Next() {
-  auto frame = simulator_.Next();
+  auto frame = run_->simulator.Next();
   if (!frame) return std::nullopt;
-  if (on_frame_) on_frame_(*frame);
+  run_->truth.Add(*frame, run_->simulator);
   return std::move(frame->frame);
 }
 

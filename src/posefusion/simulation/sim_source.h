@@ -1,30 +1,38 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 
 #include "posefusion/dataset/frame_source.h"
 #include "posefusion/simulation/simulator.h"
+#include "posefusion/simulation/truth_recorder.h"
 
 namespace posefusion {
+
+/// A simulated run and the truth about those of its frames that have been given out.
+struct SimulatedRun {
+  Simulator simulator;
+  TruthRecorder truth;
+
+  /// Writes what TruthRecorder holds into `folder`, which is made.
+  /// @throws std::runtime_error naming what cannot be written.
+  void WriteTruth(const std::string& folder) const;
+};
 
 /// Streams a simulated run: the same frames, byte for byte, as TumFolderSource reads from the
 /// folder that the tool `simulate` writes for the same arguments.
 class SimSource : public FrameSource {
  public:
-  /// `on_frame`, when given, sees each frame with its truth before Next returns it, on the thread
-  /// that calls Next. @throws std::invalid_argument as CheckedConfig does.
-  SimSource(const SimulationConfig& config, int num_threads,
-            std::function<void(const SimulatedFrame&)> on_frame = nullptr);
+  /// @throws std::invalid_argument as CheckedConfig does.
+  SimSource(const SimulationConfig& config, int num_threads);
 
   std::optional<RgbdFrame> Next() override;
-  std::optional<int> NumFrames() const override { return simulator_.NumFrames(); }
+  std::optional<int> NumFrames() const override { return run_->simulator.NumFrames(); }
 
-  const Simulator& simulator() const { return simulator_; }
+  /// To be looked at when nobody calls Next any more; lives on when the source does not.
+  std::shared_ptr<const SimulatedRun> run() const { return run_; }
 
  private:
-  Simulator simulator_;
-  std::function<void(const SimulatedFrame&)> on_frame_;
+  std::shared_ptr<SimulatedRun> run_;
 };
 
 }  // namespace posefusion
