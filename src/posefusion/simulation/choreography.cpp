@@ -19,6 +19,7 @@ constexpr double kClearance = 0.27;        // half width of a walking body, metr
 constexpr double kNarrow = 0.16;           // half width of one that squeezes past
 constexpr double kToCamera = 0.55;         // nearer to the robot nobody goes
 constexpr double kToCrossedCamera = 0.46;  // except to cross close before it
+constexpr double kStepAside = 0.36;        // when there is no other way
 constexpr double kForesight_s = 3;         // a place is left in time
 constexpr double kTurn_s = 0.8;
 constexpr double kPushSpeed = 0.4;  // metres per second
@@ -57,7 +58,7 @@ class Planner {
   void StandFirst(HashSequence& random);
   void StandAt(const Vector2d& place, double yaw, double duration_s, Gesture gesture);
   /// Waits for a free way, goes there and could stay for a while without being in the way.
-  bool WalkTo(const Vector2d& goal, double speed, double stay_s);
+  bool WalkTo(const Vector2d& goal, double speed, double stay_s, double margin = kToCamera);
   bool Cross(double speed);
   bool PushChair();
   /// Sits down, or sits from the start, and gets up when nobody is in the way.
@@ -103,7 +104,7 @@ void Planner::StandAt(const Vector2d& place, double yaw, double duration_s, Gest
   yaw_ = yaw;
 }
 
-bool Planner::WalkTo(const Vector2d& goal, double speed, double stay_s) {
+bool Planner::WalkTo(const Vector2d& goal, double speed, double stay_s, double margin) {
   const std::vector<Vector2d> way = grid_.Way(here_, goal);
   if (way.empty() || LengthOf(way) < 0.3) return false;
   const double duration = LengthOf(way) / speed + 0.5;
@@ -111,12 +112,12 @@ bool Planner::WalkTo(const Vector2d& goal, double speed, double stay_s) {
   double wait = kTurn_s;
   const auto fits = [&] {
     const double arrival_s = now_s_ + wait + duration;
-    return !traffic_.IsTaken(way, now_s_ + wait, duration, kToCamera) &&
+    return !traffic_.IsTaken(way, now_s_ + wait, duration, margin) &&
            !traffic_.IsTaken(goal, arrival_s, arrival_s + stay_s + kForesight_s, kToCamera);
   };
   while (!fits()) {
     wait += 0.4;
-    if (wait > 9 || traffic_.IsTaken(here_, now_s_ + wait, now_s_ + wait, kToCamera)) return false;
+    if (wait > 9 || traffic_.IsTaken(here_, now_s_ + wait, now_s_ + wait, margin)) return false;
   }
   StandAt(here_, first_yaw, wait, Gesture::kNone);
   segments_.push_back({Activity::kWalk, now_s_, now_s_ + duration, way, 0});
@@ -235,8 +236,9 @@ void Planner::Roam(int person, HashSequence& random) {
   if (what == 4) return Leave(random);
   const double stay_s = static_cast<double>(random.Uniform(1.0F, 5.0F));
   const auto gesture = static_cast<Gesture>(random.Below(4));
-  for (int attempt = 0; attempt < 12; ++attempt) {
-    if (!WalkTo(SomePlace(random), speed, stay_s)) continue;
+  for (int attempt = 0; attempt < 30; ++attempt) {
+    const double margin = attempt < 12 ? kToCamera : kStepAside;
+    if (!WalkTo(SomePlace(random), speed, stay_s, margin)) continue;
     return StandAt(here_, yaw_ + static_cast<double>(random.Uniform(-2, 2)), stay_s, gesture);
   }
   StandAt(here_, yaw_, 0.5, Gesture::kNone);
