@@ -68,6 +68,28 @@ TEST(Slam, FramesWithoutDepthAreLostAndTheNextIsFound) {
   EXPECT_EQ(slam.trajectory().size(), 16U);
 }
 
+TEST(Slam, ALeapIsFoundOrLostButNeverMistaken) {
+  const testing::RenderedRoom room = testing::RenderedRoom::Furnished();
+  for (const double leap_m : {0.2, 0.35, 0.5, 0.8}) {
+    for (const double turn_rad : {-0.5, 0.0, 0.3}) {
+      Slam slam(SlamConfig(), kTwoThreads);
+      RenderedSource source(15);
+      while (const auto frame = source.Next()) slam.ProcessFrame(*frame);
+      const Eigen::Isometry3d T_leap =
+          SwayingPose(14) *
+          ExpSE3((Vector6d() << leap_m, 0, 0.3 * leap_m, 0, turn_rad, 0).finished());
+      const FrameResult result =
+          slam.ProcessFrame(room.Render(testing::SmallCamera(), T_leap, 5'000'000'000));
+      if (!result.HasPose()) continue;
+      const Eigen::Isometry3d truth = SwayingPose(0).inverse() * T_leap;
+      const Eigen::Isometry3d estimate =
+          slam.trajectory().front().T_map_camera.inverse() * result.tracking.T_map_camera;
+      EXPECT_LT((truth.translation() - estimate.translation()).norm(), 0.03)
+          << leap_m << " m, " << turn_rad << " rad";
+    }
+  }
+}
+
 TEST(Slam, WaitsForTheFirstFrameWithDepth) {
   Slam slam(SlamConfig(), kTwoThreads);
   RenderedSource source(4);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "posefusion/common/stage_clock.h"
 #include "posefusion/tracking/so3_alignment.h"
 
 namespace posefusion {
@@ -52,6 +53,7 @@ TrackingResult Tracker::Start(const FramePyramid& frame, const Eigen::Isometry3d
   T_map_camera_ = T_map_camera;
   T_last_step_.setIdentity();
   recent_.clear();
+  recent_fits_.clear();
   Remember(frame);
   result.health = TrackingHealth::kInitialized;
   return result;
@@ -70,6 +72,10 @@ TrackingResult Tracker::Track(const FramePyramid& frame, const ModelView& view,
   if (result.health != TrackingHealth::kFailed) {
     T_last_step_ = T_map_camera_.inverse() * result.T_map_camera;
     T_color_depth_ = start.T_color_depth;
+    recent_fits_.push_back({result.inlier_ratio, result.intensity_rms});
+    if (static_cast<int>(recent_fits_.size()) > config_.fit_window_frames) {
+      recent_fits_.pop_front();
+    }
     T_map_camera_ = result.T_map_camera;
     Remember(frame);
   }
@@ -108,6 +114,22 @@ std::vector<Eigen::Isometry3d> Tracker::Guesses(const FramePyramid& frame,
   return guesses;
 }
 
+/// After a gap or a jump Gauss-Newton may settle on a wrong pose that still has many inliers; both
+/// their share and the intensities then fit much worse than they have done just before.
+bool Tracker::FitsLikeRecentFrames(const TrackingResult& result) const {
+  constexpr std::size_t kEnoughFrames = 5;
+  if (recent_fits_.size() < kEnoughFrames) return true;
+  std::vector<double> inliers;
+  std::vector<double> residuals;
+  for (const Fit& fit : recent_fits_) {
+    inliers.push_back(fit.inlier_ratio);
+    residuals.push_back(fit.intensity_rms);
+  }
+  const double residual = std::max(Quantile(residuals, 0.5), config_.intensity_sigma_floor);
+  return result.inlier_ratio >= config_.min_fit_inliers * Quantile(inliers, 0.5) ||
+         result.intensity_rms <= config_.max_fit_residual * residual;
+}
+
 bool Tracker::IsPlausibleStep(const Eigen::Isometry3d& T_map_camera, double elapsed_s) const {
   const Eigen::Isometry3d T_step = T_map_camera_.inverse() * T_map_camera;
   return T_step.translation().norm() <= config_.max_step_m + config_.max_speed_mps * elapsed_s &&
@@ -139,6 +161,8 @@ TrackingResult Tracker::Judge(const Alignment& alignment, const ModelView& view,
     result.failure = "residuals too large";
   } else if (!IsPlausibleStep(result.T_map_camera, elapsed_s)) {
     result.failure = "implausible jump";
+  } else if (!FitsLikeRecentFrames(result)) {
+    result.failure = "fits much worse than before";
   }
   if (result.failure[0] != '\0') return result;
 

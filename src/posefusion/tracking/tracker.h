@@ -34,6 +34,7 @@ class Tracker {
   std::vector<Eigen::Isometry3d> Guesses(const FramePyramid& frame,
                                          const Eigen::Isometry3d& T_view_last) const;
   TrackingResult Judge(const Alignment& alignment, const ModelView& view, double elapsed_s) const;
+  bool FitsLikeRecentFrames(const TrackingResult& result) const;
   bool IsPlausibleStep(const Eigen::Isometry3d& T_map_camera, double elapsed_s) const;
   Vector6d Velocity() const;
   void Remember(const FramePyramid& frame);
@@ -43,6 +44,13 @@ class Tracker {
   Aligner aligner_;
   Eigen::Isometry3d T_map_camera_ = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_last_step_ = Eigen::Isometry3d::Identity();  ///< camera motion, last frame
+  /// How well a good frame fitted the model.
+  struct Fit {
+    double inlier_ratio;
+    double intensity_rms;
+  };
+
+  std::deque<Fit> recent_fits_;
   std::deque<StampedPose> recent_;  ///< of the last frames, for the velocity
   Eigen::Isometry3d T_color_depth_ = Eigen::Isometry3d::Identity();
   Grid<float> previous_intensity_;

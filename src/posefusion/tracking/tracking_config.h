@@ -53,6 +53,9 @@ struct TrackingConfig {
   double min_inlier_ratio = 0.25;       ///< below, the frame is not tracked
   double min_valid_ratio = 0.05;        ///< share of pixels with depth below which nothing is tried
   double max_icp_rms_sigmas = 10.0;     ///< residuals of more depth noise sigmas: not tracked
+  int fit_window_frames = 30;      ///< a frame that fits worse than the last so many good ones: ...
+  double min_fit_inliers = 0.8;    ///< ... inlier ratio below this share of their median ...
+  double max_fit_residual = 3.0;   ///< ... and intensity residual above this multiple: not tracked
   double max_step_m = 0.2;         ///< larger motion since the last good frame is not believed ...
   double max_speed_mps = 3.0;      ///< ... plus this times the time since then
   double max_step_rad = 0.4;       ///< nor larger rotation ...
@@ -90,6 +93,9 @@ void Describe(V& v, TrackingConfig& c) {
   v.Field("min_inlier_ratio", c.min_inlier_ratio, 0.0, 1.0);
   v.Field("min_valid_ratio", c.min_valid_ratio, 0.0, 1.0);
   v.Field("max_icp_rms_sigmas", c.max_icp_rms_sigmas, 0.1, 1000.0);
+  v.Field("fit_window_frames", c.fit_window_frames, 1, 1000);
+  v.Field("min_fit_inliers", c.min_fit_inliers, 0.0, 1.0);
+  v.Field("max_fit_residual", c.max_fit_residual, 1.0, 1000.0);
   v.Field("max_step_m", c.max_step_m, 0.0, 100.0);
   v.Field("max_speed_mps", c.max_speed_mps, 0.0, 100.0);
   v.Field("max_step_rad", c.max_step_rad, 0.0, 3.2);
