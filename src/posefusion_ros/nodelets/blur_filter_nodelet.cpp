@@ -1,4 +1,3 @@
-#include <nodelet/nodelet.h>
 #include <posefusion/BlurScore.h>
 
 #include <memory>
@@ -9,6 +8,7 @@
 #include "posefusion/image/blur_filter.h"
 #include "posefusion_ros/conversions.h"
 #include "posefusion_ros/nodelets/blur_filter_config.h"
+#include "posefusion_ros/nodelets/checked_nodelet.h"
 #include "posefusion_ros/nodelets/rgbd_subscriber.h"
 #include "posefusion_ros/parameter_reader.h"
 #include "posefusion_ros/topic_names.h"
@@ -19,18 +19,9 @@ namespace posefusion {
 /// Passes on the frames of an RGB-D camera that are not blurred. What goes out under sharp/ are the
 /// messages that came in, not copies: camera_info first, then depth, then colour, so that whoever
 /// has the colour image has the rest.
-class BlurFilterNodelet : public nodelet::Nodelet {
+class BlurFilterNodelet : public CheckedNodelet {
  private:
-  void onInit() override {
-    try {
-      Start();
-    } catch (const std::exception& error) {
-      NODELET_FATAL_STREAM(error.what());
-      throw;
-    }
-  }
-
-  void Start() {
+  void Start() override {
     ros::NodeHandle node = getNodeHandle();
     config_ = ReadConfig<BlurFilterNodeletConfig>(getPrivateNodeHandle());
     filter_.emplace(config_.filter);

@@ -1,9 +1,8 @@
-#include <nodelet/nodelet.h>
-
 #include <memory>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "posefusion_ros/conversions.h"
+#include "posefusion_ros/nodelets/checked_nodelet.h"
 #include "posefusion_ros/nodelets/mapping_publishers.h"
 #include "posefusion_ros/nodelets/mapping_status.h"
 #include "posefusion_ros/nodelets/mapping_worker.h"
@@ -16,18 +15,9 @@ namespace posefusion {
 
 /// Tracks the camera against the map that it builds: frames under sharp/ in; tf, poses, map and
 /// status out. The work is done in MappingWorker's thread, so the callbacks return at once.
-class MappingNodelet : public nodelet::Nodelet {
+class MappingNodelet : public CheckedNodelet {
  private:
-  void onInit() override {
-    try {
-      Start();
-    } catch (const std::exception& error) {
-      NODELET_FATAL_STREAM(error.what());
-      throw;
-    }
-  }
-
-  void Start() {
+  void Start() override {
     ros::NodeHandle node = getNodeHandle();
     const auto config = ReadConfig<MappingConfig>(getPrivateNodeHandle());
     output_dir_ = config.ros.output_dir;

@@ -1,3 +1,0 @@
-#pragma once
-
-#include "posefusion/dataset/triangle_mesh.h"
