@@ -76,7 +76,9 @@ Alignment Aligner::Align(const FramePyramid& frame, const ModelView& view, const
   const int coarsest = std::min(config_.coarsest_level, last);
   const int finest = std::min(config_.finest_level, coarsest);
   for (int level = coarsest; level >= finest; --level) {
-    const ResidualInput input = SampleLevel(frame, view, start, level, parallel, alignment);
+    const int stride_px = level == finest ? config_.finest_stride_px : config_.coarsest_stride_px;
+    const ResidualInput input =
+        SampleLevel(frame, view, start, level, stride_px, parallel, alignment);
     if (level == coarsest) AlignCoarsest(input, start, parallel, scales, alignment);
     const int iterations = level == finest ? config_.finest_iterations : config_.coarse_iterations;
     Iterate(input, iterations, parallel, scales, alignment);
@@ -181,11 +183,10 @@ void Aligner::UpdateScales(const ResidualSums& sums, Scales& scales) const {
 }
 
 ResidualInput Aligner::SampleLevel(const FramePyramid& frame, const ModelView& view,
-                                   const Start& start, int level, const ParallelRunner& parallel,
-                                   Alignment& alignment) {
-  const bool finest = level == std::min(config_.finest_level, config_.coarsest_level);
+                                   const Start& start, int level, int stride_px,
+                                   const ParallelRunner& parallel, Alignment& alignment) {
   SamplingOptions sampling;
-  sampling.stride_px = finest ? config_.finest_stride_px : config_.coarsest_stride_px;
+  sampling.stride_px = stride_px;
   sampling.sigma_floor_m = config_.icp_sigma_floor_m;
   sampling.noise = noise_;
   sampling.T_color_depth = start.T_color_depth;

@@ -63,7 +63,8 @@ class Aligner {
   static void SetScales(const Scales& scales, ResidualInput& input);
   ResidualInput MakeInput(const ModelView& view, int level) const;
   ResidualInput SampleLevel(const FramePyramid& frame, const ModelView& view, const Start& start,
-                            int level, const ParallelRunner& parallel, Alignment& alignment);
+                            int level, int stride_px, const ParallelRunner& parallel,
+                            Alignment& alignment);
   void Iterate(ResidualInput input, int max_iterations, const ParallelRunner& parallel,
                Scales& scales, Alignment& alignment);
   void AlignCoarsest(const ResidualInput& input, const Start& start, const ParallelRunner& parallel,
