@@ -2,8 +2,8 @@
 
 #include <array>
 
+#include "posefusion/dataset/triangle_mesh.h"
 #include "posefusion/simulation/person.h"
-#include "posefusion/simulation/triangle_mesh.h"
 
 namespace posefusion {
 

@@ -6,9 +6,9 @@
 #include <array>
 #include <vector>
 
+#include "posefusion/dataset/triangle_mesh.h"
 #include "posefusion/simulation/material.h"
 #include "posefusion/simulation/room_plan.h"
-#include "posefusion/simulation/triangle_mesh.h"
 
 namespace posefusion {
 

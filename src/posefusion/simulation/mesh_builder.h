@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "posefusion/simulation/triangle_mesh.h"
+#include "posefusion/dataset/triangle_mesh.h"
 
 namespace posefusion {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "posefusion/simulation/triangle_mesh.h"
+#include "posefusion/dataset/triangle_mesh.h"
 #include "posefusion/simulation/world.h"
 
 namespace posefusion {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "posefusion/dataset/triangle_mesh.h"
 #include "posefusion/simulation/head_motion.h"
 #include "posefusion/simulation/person.h"
-#include "posefusion/simulation/triangle_mesh.h"
 
 namespace posefusion {
 
