@@ -41,7 +41,7 @@ class Runner {
  private:
   bool IsBlurred(const RgbdFrame& frame) {
     const auto scope = clock_.Measure("blur");
-    return !blur_filter_.Judge(frame.rgb).keep;
+    return !blur_filter_.Judge(frame.rgb, frame.stamp_ns).keep;
   }
 
   void Record(StampNs stamp_ns, FrameState state, const std::vector<StageTime>& times) {
