@@ -46,9 +46,9 @@ POSEFUSION_INLINE float NoiseOf(float value, float full_well, float read_noise) 
 }
 
 /// What the sensor reads out of a row of light; `first` is the number of its first value.
-POSEFUSION_KERNEL void ReadRow(const float* light, const float* factors, int count,
-                               float full_well, float read_noise, std::uint32_t key,
-                               std::uint32_t first, std::uint8_t* out) {
+POSEFUSION_KERNEL void ReadRow(const float* light, const float* factors, int count, float full_well,
+                               float read_noise, std::uint32_t key, std::uint32_t first,
+                               std::uint8_t* out) {
   for (int i = 0; i < count; ++i) {
     const float value = light[i] * factors[i];
     const float noise = GaussianFloat(Mix(key ^ Mix(first + static_cast<std::uint32_t>(i))));
