@@ -8,6 +8,7 @@
 
 #include "posefusion/common/atomic_file.h"
 #include "posefusion/simulation/truth_files.h"
+#include "posefusion/skeleton/openpose_json.h"
 
 namespace posefusion {
 namespace {
