@@ -129,7 +129,7 @@ TEST(RealPictures, JointsOfATurningManLieOnHim) {
   EXPECT_EQ(agreement.people_found, 5);
 }
 
-// Far people have no mask there, and a chair is taken for somebody twice.
+// Far people have no mask there, and the floor or a chair is taken for somebody now and then.
 TEST(RealPictures, PeopleInACorridorAreFoundWithJointsOnThem) {
   SKIP_WITHOUT_DATA(kModel);
   const MaskAgreement agreement = CompareWithMasks("ist_corridor");
