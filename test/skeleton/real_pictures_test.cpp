@@ -129,6 +129,18 @@ TEST(RealPictures, JointsOfATurningManLieOnHim) {
   EXPECT_EQ(agreement.people_found, 5);
 }
 
+TEST(RealPictures, JointsOfPeopleWhoLeaveThePictureStayInIt) {
+  SKIP_WITHOUT_DATA(kModel);
+  PoseNetwork network(ModelConfig());
+  for (const std::string& picture : PicturesOf("people_pictures/ros_openpose_rgbd")) {
+    const cv::Mat rgb = ReadColourImage(picture);
+    const cv::Mat everywhere(rgb.size(), CV_8UC1, cv::Scalar::all(255));
+    for (const Skeleton& person : network.Detect(rgb)) {
+      EXPECT_EQ(NumJointsIn(person, everywhere), NumJoints(person)) << picture;
+    }
+  }
+}
+
 // Far people have no mask there, and the floor or a chair is taken for somebody now and then.
 TEST(RealPictures, PeopleInACorridorAreFoundWithJointsOnThem) {
   SKIP_WITHOUT_DATA(kModel);

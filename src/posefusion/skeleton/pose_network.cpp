@@ -1,6 +1,7 @@
 #include "posefusion/skeleton/pose_network.h"
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/dnn.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
@@ -22,9 +23,10 @@ std::string ShapeText(const cv::Mat& blob) {
   return text;
 }
 
-/// Centre of a pixel of the maps in pixels of the image.
-float ToImage(float map_pixel, float scale) {
-  return (map_pixel + 0.5F) * static_cast<float>(kStride) / scale - 0.5F;
+/// A place in the maps in pixels of an image of that size; the last cell may reach beyond it.
+float ToImage(float map_pixel, float scale, int image_size) {
+  const float pixel = (map_pixel + 0.5F) * static_cast<float>(kStride) / scale - 0.5F;
+  return std::clamp(pixel, 0.0F, static_cast<float>(image_size - 1));
 }
 
 }  // namespace
@@ -49,7 +51,8 @@ class PoseNetwork::Engine {
     try {
       const float scale = FillInput(rgb);
       Forward();
-      return InImagePixels(GroupParts(Maps(), config_.grouping), scale);
+      return InImagePixels(GroupParts(Maps(rgb.size(), scale), config_.grouping), rgb.size(),
+                           scale);
     } catch (const cv::Exception& error) {
       throw std::runtime_error("pose network " + config_.model + ": " + error.err);
     }
@@ -110,10 +113,17 @@ class PoseNetwork::Engine {
     output_ = net_.forward();
   }
 
-  /// The network's output as images that share its memory.
-  PartMaps Maps() {
+  /// The network's output as images that share its memory, as far as they show the image.
+  PartMaps Maps(const cv::Size& image_size, float scale) {
+    const auto covered = [scale](int image_pixels, int map_pixels) {
+      const double pixels = std::ceil(scale * static_cast<float>(image_pixels) / kStride);
+      return std::clamp(static_cast<int>(pixels), 1, map_pixels);
+    };
+    const cv::Rect shown(0, 0, covered(image_size.width, output_.size[3]),
+                         covered(image_size.height, output_.size[2]));
     const auto map = [&](int channel) {
-      return cv::Mat(output_.size[2], output_.size[3], CV_32F, output_.ptr<float>(0, channel));
+      return cv::Mat(output_.size[2], output_.size[3], CV_32F,
+                     output_.ptr<float>(0, channel))(shown);
     };
     PartMaps maps;
     for (int i = 0; i < kNumCocoJoints; ++i) maps.heat[static_cast<std::size_t>(i)] = map(i);
@@ -123,10 +133,13 @@ class PoseNetwork::Engine {
     return maps;
   }
 
-  static std::vector<Skeleton> InImagePixels(std::vector<Skeleton> people, float scale) {
+  static std::vector<Skeleton> InImagePixels(std::vector<Skeleton> people, const cv::Size& size,
+                                             float scale) {
     for (Skeleton& person : people) {
       for (Joint& joint : person) {
-        if (joint.p > 0) joint = {ToImage(joint.u, scale), ToImage(joint.v, scale), joint.p};
+        if (joint.p <= 0) continue;
+        joint.u = ToImage(joint.u, scale, size.width);
+        joint.v = ToImage(joint.v, scale, size.height);
       }
     }
     return people;
