@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "posefusion/skeleton/openpose_json.h"
+
 namespace posefusion {
 namespace {
 
@@ -31,10 +33,10 @@ struct Tally {
 Tally Count(const std::vector<TruePerson>& truth, const KeypointFaultConfig& config) {
   Tally tally;
   for (int i = 0; i < kNumFrames; ++i) {
-    for (const PersonKeypoints& found : DetectPeople(truth, config, kCamera, i * kInterval, 1)) {
+    for (const Skeleton& found : DetectPeople(truth, config, kCamera, i * kInterval, 1)) {
       ++tally.people;
       for (std::size_t j = 0; j < kNumCocoJoints; ++j) {
-        if (found[j].confidence <= 0) continue;
+        if (found[j].p <= 0) continue;
         ++tally.joints;
         if (truth.empty()) continue;
         const TrueJoint& joint = truth[0].joints[j];
@@ -108,9 +110,9 @@ TEST(DetectPeople, HiddenJointsAreSeldomFoundAndUncertain) {
   for (int i = 0; i < kNumFrames; ++i) {
     const auto people = DetectPeople({person}, config, kCamera, i * kInterval, 1);
     for (std::size_t j = 9; j < kNumCocoJoints; ++j) {
-      if (people.at(0)[j].confidence <= 0) continue;
+      if (people.at(0)[j].p <= 0) continue;
       ++num_hidden_found;
-      ASSERT_LT(people[0][j].confidence, 0.45);
+      ASSERT_LT(people[0][j].p, 0.45);
     }
   }
   EXPECT_NEAR(num_hidden_found, 9 * kNumFrames * config.hidden_found, 0.03 * 9 * kNumFrames);

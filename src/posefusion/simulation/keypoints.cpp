@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "posefusion/simulation/indexed_random.h"
 #include "posefusion/simulation/renderer.h"
@@ -67,9 +66,9 @@ std::int64_t StretchOf(double time_s, double stretch_s, double offset) {
 
 std::int64_t MicrosecondsOf(double time_s) { return std::llround(time_s * kHzOfStamps); }
 
-bool IsInside(const CameraModel& camera, const Keypoint& point) {
-  return point.u >= 0 && point.v >= 0 && point.u <= camera.width - 1 &&
-         point.v <= camera.height - 1;
+bool IsInside(const CameraModel& camera, const Joint& point) {
+  return point.u >= 0 && point.v >= 0 && point.u <= static_cast<float>(camera.width - 1) &&
+         point.v <= static_cast<float>(camera.height - 1);
 }
 
 /// A person found, with the joints' faults; empty when missed.
@@ -90,11 +89,11 @@ class Detection {
     return miss_.Uniform(stretch_) < config_.missed_person * (few ? config_.few_joints_factor : 1);
   }
 
-  PersonKeypoints Keypoints(const CameraModel& camera) const {
-    PersonKeypoints keypoints{};
+  Skeleton Keypoints(const CameraModel& camera) const {
+    Skeleton keypoints{};
     for (std::size_t i = 0; i < kNumCocoJoints; ++i) {
       if (!IsFound(i)) continue;
-      const Keypoint point = Place(i);
+      const Joint point = Place(i);
       if (IsInside(camera, point)) keypoints[i] = point;
     }
     return keypoints;
@@ -115,15 +114,15 @@ class Detection {
            noise_.Uniform(IndexOf(i, 0)) >= 0.5 * config_.missed_joint;
   }
 
-  Keypoint Place(std::size_t i) const {
+  Joint Place(std::size_t i) const {
     const bool swapped = noise_.Uniform(IndexOf(i, 1)) < config_.outlier;
     const TrueJoint& joint = truth_.joints[swapped ? OtherSide(i) : i];
     const double deviation = noise_px_ * (joint.visible ? 1 : 2.5);
-    Keypoint point;
-    point.u = joint.u + noise_.Gaussian(IndexOf(i, 2), deviation);
-    point.v = joint.v + noise_.Gaussian(IndexOf(i, 3), deviation);
+    Joint point;
+    point.u = static_cast<float>(joint.u + noise_.Gaussian(IndexOf(i, 2), deviation));
+    point.v = static_cast<float>(joint.v + noise_.Gaussian(IndexOf(i, 3), deviation));
     const double certainty = noise_.Uniform(IndexOf(i, 4));
-    point.confidence = joint.visible ? 0.55 + 0.4 * certainty : 0.1 + 0.3 * certainty;
+    point.p = static_cast<float>(joint.visible ? 0.55 + 0.4 * certainty : 0.1 + 0.3 * certainty);
     return point;
   }
 
@@ -138,8 +137,8 @@ class Detection {
 };
 
 /// A stretched-out figure in a place of the image that depends on the stretch of time.
-std::optional<PersonKeypoints> FalsePerson(const KeypointFaultConfig& config,
-                                           const CameraModel& camera, double time_s, int seed) {
+std::optional<Skeleton> FalsePerson(const KeypointFaultConfig& config, const CameraModel& camera,
+                                    double time_s, int seed) {
   const IndexedRandom random(seed, kFalseStream);
   const std::int64_t stretch = 100 * StretchOf(time_s, config.fault_seconds, 0);
   if (random.Uniform(stretch) >= config.false_person_hz * config.fault_seconds) return std::nullopt;
@@ -165,12 +164,13 @@ std::optional<PersonKeypoints> FalsePerson(const KeypointFaultConfig& config,
   const double height = camera.height * random.Uniform(stretch + 1, 0.25, 0.7);
   const double left = camera.width * random.Uniform(stretch + 2, 0.1, 0.9);
   const double top = (camera.height - height) * random.Uniform(stretch + 3);
-  PersonKeypoints person{};
+  Skeleton person{};
   for (std::size_t i = 0; i < kNumCocoJoints; ++i) {
     const std::int64_t index = stretch + 10 + 3 * static_cast<std::int64_t>(i);
     if (random.Uniform(index) < 0.5) continue;
-    const Keypoint point = {left + height * kFigure[i][0], top + height * kFigure[i][1],
-                            random.Uniform(index + 1, 0.1, 0.5)};
+    const Joint point = {static_cast<float>(left + height * kFigure[i][0]),
+                         static_cast<float>(top + height * kFigure[i][1]),
+                         static_cast<float>(random.Uniform(index + 1, 0.1, 0.5))};
     if (IsInside(camera, point)) person[i] = point;
   }
   return person;
@@ -205,10 +205,10 @@ std::vector<TruePerson> ProjectPeople(const World& world, const CameraModel& cam
   return people;
 }
 
-std::vector<PersonKeypoints> DetectPeople(const std::vector<TruePerson>& truth,
-                                          const KeypointFaultConfig& config,
-                                          const CameraModel& camera, double time_s, int seed) {
-  std::vector<PersonKeypoints> people;
+std::vector<Skeleton> DetectPeople(const std::vector<TruePerson>& truth,
+                                   const KeypointFaultConfig& config, const CameraModel& camera,
+                                   double time_s, int seed) {
+  std::vector<Skeleton> people;
   for (const TruePerson& person : truth) {
     const Detection detection(person, config, time_s, seed);
     if (!detection.IsMissed()) people.push_back(detection.Keypoints(camera));
@@ -217,34 +217,19 @@ std::vector<PersonKeypoints> DetectPeople(const std::vector<TruePerson>& truth,
   return people;
 }
 
-std::vector<PersonKeypoints> PerfectKeypoints(const std::vector<TruePerson>& truth) {
-  std::vector<PersonKeypoints> people;
+std::vector<Skeleton> PerfectKeypoints(const std::vector<TruePerson>& truth) {
+  std::vector<Skeleton> people;
   for (const TruePerson& person : truth) {
-    PersonKeypoints keypoints{};
+    Skeleton keypoints{};
     for (std::size_t i = 0; i < kNumCocoJoints; ++i) {
       const TrueJoint& joint = person.joints[i];
-      if (joint.visible) keypoints[i] = {joint.u, joint.v, 1};
+      if (joint.visible) {
+        keypoints[i] = {static_cast<float>(joint.u), static_cast<float>(joint.v), 1};
+      }
     }
     people.push_back(keypoints);
   }
   return people;
-}
-
-std::string ToOpenPoseJson(const std::vector<PersonKeypoints>& people) {
-  std::string text = "{\"version\":1.3,\"people\":[";
-  for (std::size_t i = 0; i < people.size(); ++i) {
-    text += i > 0 ? ",{" : "{";
-    text += "\"person_id\":[-1],\"pose_keypoints_2d\":[";
-    for (std::size_t j = 0; j < kNumCocoJoints; ++j) {
-      const Keypoint& point = people[i][j];
-      std::array<char, 64> numbers{};
-      std::snprintf(numbers.data(), numbers.size(), "%s%.3f,%.3f,%.4f", j > 0 ? "," : "", point.u,
-                    point.v, point.confidence);
-      text += numbers.data();
-    }
-    text += "]}";
-  }
-  return text + "]}\n";
 }
 
 std::optional<double> KeypointArrival(const KeypointTiming& timing, double time_s,

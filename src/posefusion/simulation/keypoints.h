@@ -9,18 +9,9 @@
 #include "posefusion/image/camera_model.h"
 #include "posefusion/simulation/person.h"
 #include "posefusion/simulation/world.h"
+#include "posefusion/skeleton/skeletons.h"
 
 namespace posefusion {
-
-/// A joint in an image; a network that does not find it gives zeros.
-struct Keypoint {
-  double u = 0;
-  double v = 0;
-  double confidence = 0;  ///< 0 = not found
-};
-
-/// Joints of one person in COCO-18 order.
-using PersonKeypoints = std::array<Keypoint, kNumCocoJoints>;
 
 /// A true joint seen by the camera.
 struct TrueJoint {
@@ -58,15 +49,12 @@ struct KeypointFaultConfig {
 
 /// What a network finds instead of the truth; people in the order of the truth, then false ones.
 /// Misses last for some frames, as they do in real sequences. A pure function of its arguments.
-std::vector<PersonKeypoints> DetectPeople(const std::vector<TruePerson>& truth,
-                                          const KeypointFaultConfig& config,
-                                          const CameraModel& camera, double time_s, int seed);
+std::vector<Skeleton> DetectPeople(const std::vector<TruePerson>& truth,
+                                   const KeypointFaultConfig& config, const CameraModel& camera,
+                                   double time_s, int seed);
 
 /// The truth as a perfect network would give it: visible joints with confidence 1.
-std::vector<PersonKeypoints> PerfectKeypoints(const std::vector<TruePerson>& truth);
-
-/// OpenPose's JSON, output format version 1.3.
-std::string ToOpenPoseJson(const std::vector<PersonKeypoints>& people);
+std::vector<Skeleton> PerfectKeypoints(const std::vector<TruePerson>& truth);
 
 /// When a network delivers. Rates and delays act on image stamps.
 struct KeypointTiming {

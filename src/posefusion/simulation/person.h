@@ -4,30 +4,9 @@
 #include <array>
 #include <vector>
 
-namespace posefusion {
+#include "posefusion/skeleton/joints.h"
 
-/// Joints in OpenPose's COCO-18 order.
-enum CocoJoint {
-  kNose,
-  kNeck,
-  kRightShoulder,
-  kRightElbow,
-  kRightWrist,
-  kLeftShoulder,
-  kLeftElbow,
-  kLeftWrist,
-  kRightHip,
-  kRightKnee,
-  kRightAnkle,
-  kLeftHip,
-  kLeftKnee,
-  kLeftAnkle,
-  kRightEye,
-  kLeftEye,
-  kRightEar,
-  kLeftEar,
-  kNumCocoJoints
-};
+namespace posefusion {
 
 /// Rigid parts of a body, each with a mesh of its own.
 enum BodyPart {

@@ -63,7 +63,7 @@ class Simulator {
 
 /// What a pose network found in a frame and when it said so.
 struct DetectedPeople {
-  std::vector<PersonKeypoints> people;
+  std::vector<Skeleton> people;
   StampNs arrival_ns = 0;  ///< the frame's stamp when on time
 };
 
