@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <stdexcept>
+#include <string>
 
-#include "posefusion/common/stage_clock.h"
 #include "posefusion/image/sharpness.h"
 #include "test/image/synthetic_images.h"
 
@@ -43,7 +44,7 @@ class Sequence {
 /// Frames of a camera that turns over a room: moved on by step_px per frame, blurred by length_px.
 class Pan {
  public:
-  explicit Pan(int contrast = 100) {
+  explicit Pan(int contrast = 50) {
     cv::hconcat(RoomImage(1, contrast), RoomImage(2, contrast), room_);
     cv::hconcat(room_, room_, room_);
   }
@@ -95,9 +96,9 @@ TEST(BlurFilter, KeepsSlowMotionAndOtherScenes) {
   Pan dim_pan(30);
   for (int round = 0; round < 3; ++round) {
     for (int i = 0; i < 20; ++i) EXPECT_TRUE(sequence.Show(pan.Next(6, 2)).keep) << i;
-    sequence.Show(dim_pan.Next(6, 2));  // a cut, which no camera makes
+    for (int i = 0; i < 2; ++i) sequence.Show(dim_pan.Next(6, 2));  // no camera makes such a cut
     for (int i = 0; i < 20; ++i) EXPECT_TRUE(sequence.Show(dim_pan.Next(6, 2)).keep) << i;
-    sequence.Show(pan.Next(6, 2));
+    for (int i = 0; i < 2; ++i) sequence.Show(pan.Next(6, 2));
   }
 }
 
@@ -109,6 +110,20 @@ TEST(BlurFilter, SomebodyWhoCrossesTheViewIsNotBlur) {
     cv::Mat view = room.clone();
     person.copyTo(view(cv::Rect(x, 0, 200, 480)));
     EXPECT_TRUE(sequence.Show(view).keep) << x;
+  }
+}
+
+TEST(BlurFilter, LastingMotionWithEnoughDetailIsKept) {
+  BlurFilterConfig config;
+  for (const double enough_detail : {1.0, 1000.0}) {
+    config.enough_detail = enough_detail;
+    Sequence sequence(config);
+    Pan pan;
+    for (int i = 0; i < 10; ++i) sequence.Show(pan.Next(14 + i, 5));
+    const BlurDecision decision = sequence.Show(pan.Next(26, 6));
+    EXPECT_GT(decision.score, decision.threshold);
+    EXPECT_EQ(decision.keep, enough_detail == 1.0);
+    EXPECT_EQ(decision.reason, decision.keep ? BlurReason::kDetailed : BlurReason::kBlurred);
   }
 }
 
@@ -227,19 +242,16 @@ TEST(BlurFilter, SameFramesGiveTheSameDecisions) {
 }
 
 TEST(BlurFilter, CostsLittle) {
+  constexpr int kNumFrames = 50;
   BlurFilter filter{BlurFilterConfig()};
   const cv::Mat image = RoomImage(1);
-  StageClock clock;
-  StampNs stamp_ns = 0;
-  for (int i = 0; i < 50; ++i) {
-    const auto scope = clock.Measure("blur");
-    filter.Judge(image, ++stamp_ns * kPeriodNs);
-  }
-  std::vector<double> milliseconds;
-  for (const StageTime& time : clock.times()) milliseconds.push_back(time.milliseconds);
-  RecordProperty("median_ms", std::to_string(Quantile(milliseconds, 0.5)));
+  const std::clock_t start = std::clock();  // processor time: others may use the processor
+  for (int i = 0; i < kNumFrames; ++i) filter.Judge(image, i * kPeriodNs);
+  const double frame_ms =
+      1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / kNumFrames;
+  RecordProperty("frame_ms", std::to_string(frame_ms));
 #ifdef NDEBUG
-  EXPECT_LT(Quantile(milliseconds, 0.25), 6.0);  // 2 ms alone; others may use the processor
+  EXPECT_LT(frame_ms, 5.0);  // 2.5 ms, with room for a shared cache
 #endif
 }
 

@@ -70,7 +70,7 @@ TEST(BlurLength, CountsExposureAndTimeBetweenImages) {
     BlurLength length(exposure_s);
     length.Next(Grey(RoomImage(1)), 0);
     // Sharp images of fast motion: less than the motion says, but in proportion to it.
-    const double once = length.Next(Moved(Grey(RoomImage(1)), kShiftPx, 0), 33'333'333);
+    const double once = length.Next(Moved(Grey(RoomImage(1)), kShiftPx, 0), 33'333'333).length_px;
     EXPECT_LT(once, kShiftPx * exposure_s * 30);
     EXPECT_GT(once, 0.3 * kShiftPx * exposure_s * 30);
   }
@@ -79,7 +79,7 @@ TEST(BlurLength, CountsExposureAndTimeBetweenImages) {
 TEST(BlurLength, StepsBackInTimeStartAnew) {
   BlurLength length(0.03);
   length.Next(Grey(RoomImage(1)), 100'000'000);
-  EXPECT_LT(length.Next(Moved(Grey(RoomImage(1)), 50, 0), 90'000'000), 1);
+  EXPECT_LT(length.Next(Moved(Grey(RoomImage(1)), 50, 0), 90'000'000).length_px, 1);
 }
 
 }  // namespace

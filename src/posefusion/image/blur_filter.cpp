@@ -31,6 +31,8 @@ const char* ToString(BlurReason reason) {
       return "disabled";
     case BlurReason::kSharp:
       return "sharp";
+    case BlurReason::kDetailed:
+      return "detailed";
     case BlurReason::kNoTexture:
       return "no_texture";
     case BlurReason::kDropLimit:
@@ -48,7 +50,8 @@ BlurDecision BlurFilter::Judge(const cv::Mat& rgb, StampNs stamp_ns) {
   ++counts_.seen;
   if (!config_.enabled) return {true, 0, 0, BlurReason::kDisabled};
   const cv::Mat grey = GreyImage(rgb);
-  BlurDecision decision = Compare(grey, stamp_ns);
+  BlurDecision decision =
+      config_.mode == BlurMode::kAbsolute ? CompareScore(grey) : CompareLength(grey, stamp_ns);
   if (CoarseContrast(grey) < config_.min_contrast) {
     length_.Forget();
     decision.keep = true;
@@ -62,19 +65,20 @@ BlurDecision BlurFilter::Judge(const cv::Mat& rgb, StampNs stamp_ns) {
   return decision;
 }
 
-BlurDecision BlurFilter::Compare(const cv::Mat& grey, StampNs stamp_ns) {
-  BlurDecision decision;
-  if (config_.mode == BlurMode::kAbsolute) {
-    decision.score = VarianceOfLaplacian(grey);
-    decision.threshold = config_.threshold;
-    decision.keep = decision.score >= decision.threshold;
-  } else {
-    decision.score = length_.Next(grey, stamp_ns);
-    decision.threshold = config_.max_length_px;
-    decision.keep = decision.score <= decision.threshold;
+BlurDecision BlurFilter::CompareScore(const cv::Mat& grey) const {
+  const double score = VarianceOfLaplacian(grey);
+  const bool keep = score >= config_.threshold;
+  return {keep, score, config_.threshold, keep ? BlurReason::kSharp : BlurReason::kBlurred};
+}
+
+BlurDecision BlurFilter::CompareLength(const cv::Mat& grey, StampNs stamp_ns) {
+  const BlurEstimate blur = length_.Next(grey, stamp_ns);
+  const double limit_px = config_.max_length_px;
+  if (blur.length_px <= limit_px) return {true, blur.length_px, limit_px, BlurReason::kSharp};
+  if (blur.detail >= config_.enough_detail && !blur.is_sudden) {
+    return {true, blur.length_px, limit_px, BlurReason::kDetailed};
   }
-  decision.reason = decision.keep ? BlurReason::kSharp : BlurReason::kBlurred;
-  return decision;
+  return {false, blur.length_px, limit_px, BlurReason::kBlurred};
 }
 
 }  // namespace posefusion

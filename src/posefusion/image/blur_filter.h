@@ -16,8 +16,11 @@ enum class BlurMode {
 struct BlurFilterConfig {
   bool enabled = true;
   BlurMode mode = BlurMode::kLength;
-  double threshold = 100;          ///< absolute mode: scores below are blurred [grey levels^2]
-  double max_length_px = 3.75;     ///< length mode: longer blur is dropped
+  double threshold = 100;       ///< absolute mode: scores below are blurred [grey levels^2]
+  double max_length_px = 3.75;  ///< length mode: longer blur is dropped
+  /// Length mode: an image with more fine detail left is kept all the same, unless it lost much of
+  /// it at once: it is of use, and a camera that always moves fast has none better [grey levels^2].
+  double enough_detail = 42;
   double exposure_s = 0.012;       ///< length mode: how long the colour camera's shutter is open
   int max_consecutive_drops = 30;  ///< then one frame is kept whatever its score
   double min_contrast = 100;       ///< below it an image has no texture to judge by [grey levels^2]
@@ -29,6 +32,7 @@ void Describe(V& v, BlurFilterConfig& c) {
   v.Choice("mode", c.mode, {"absolute", "length"});
   v.Field("threshold", c.threshold, 0.0, 1e6);
   v.Field("max_length_px", c.max_length_px, 0.0, 1000.0);
+  v.Field("enough_detail", c.enough_detail, 0.0, 1e5);
   v.Field("exposure_s", c.exposure_s, 0.0, 1.0);
   v.Field("max_consecutive_drops", c.max_consecutive_drops, 0, 1000);
   v.Field("min_contrast", c.min_contrast, 0.0, 1e6);
@@ -38,6 +42,7 @@ void Describe(V& v, BlurFilterConfig& c) {
 enum class BlurReason {
   kDisabled,   ///< kept: the filter is off, nothing was measured
   kSharp,      ///< kept
+  kDetailed,   ///< kept: longer blur, but enough detail
   kNoTexture,  ///< kept: nothing to judge by, such as a white wall
   kDropLimit,  ///< kept although blurred, after max_consecutive_drops dropped ones
   kBlurred,    ///< dropped
@@ -75,7 +80,8 @@ class BlurFilter {
   const BlurFilterConfig& config() const { return config_; }
 
  private:
-  BlurDecision Compare(const cv::Mat& grey, StampNs stamp_ns);
+  BlurDecision CompareScore(const cv::Mat& grey) const;
+  BlurDecision CompareLength(const cv::Mat& grey, StampNs stamp_ns);
 
   const BlurFilterConfig config_;
   BlurLength length_;

@@ -29,6 +29,8 @@ struct Weight {
 constexpr Weight kForResult{0.9, 0.4};
 constexpr Weight kForNext{0.25, 0.45};  ///< less for a knock: an error must not live on
 
+constexpr double kSuddenLoss = 0.4;  ///< of a sharp image that is blurred by 8 px
+
 double LossOf(double length_px) {
   return kLossScale * std::log1p(std::pow(length_px / kLossLengthPx, 2));
 }
@@ -44,15 +46,17 @@ double Between(double from_loss_px, double from_motion_px, const Weight& weight)
 
 }  // namespace
 
-double BlurLength::Next(const cv::Mat& grey, StampNs stamp_ns) {
+BlurEstimate BlurLength::Next(const cv::Mat& grey, StampNs stamp_ns) {
   cv::Mat smooth;
   cv::GaussianBlur(grey, smooth, {3, 3}, 0);
   const bool follows = Follows(grey, stamp_ns);
   const auto shift = motion_.Next(grey);
-  double result = kUnknownPx;
+  BlurEstimate result{kUnknownPx, FineDetail(smooth), false};
   if (follows && shift) {
     const double share = exposure_s_ / SecondsBetween(stamp_ns_, stamp_ns);
-    result = Combine(share * shift->length_px, SharpnessLoss(smooth_, smooth, shift->shift_px));
+    const double loss = SharpnessLoss(smooth_, smooth, shift->shift_px);
+    result.length_px = Combine(share * shift->length_px, loss);
+    result.is_sudden = loss > kSuddenLoss;
   } else {
     length_px_ = kUnknownPx;
   }
@@ -61,7 +65,7 @@ double BlurLength::Next(const cv::Mat& grey, StampNs stamp_ns) {
   return result;
 }
 
-void BlurLength::Forget() { length_px_ = kUnknownPx; }
+void BlurLength::Forget() { smooth_.release(); }
 
 bool BlurLength::Follows(const cv::Mat& grey, StampNs stamp_ns) const {
   return smooth_.size() == grey.size() && stamp_ns > stamp_ns_ &&

@@ -7,6 +7,13 @@
 
 namespace posefusion {
 
+/// What is known of the blur of an image.
+struct BlurEstimate {
+  double length_px = 0;    ///< how far its content moved while the shutter was open
+  double detail = 0;       ///< what fine detail it has left, see FineDetail() [grey levels^2]
+  bool is_sudden = false;  ///< much sharpness was lost at once; this alone shows blur
+};
+
 /// Estimates how far the content of each image moved while the shutter was open, from two things
 /// that fail in different places:
 ///   how far the image has moved since the one before, times exposure over the time between them:
@@ -21,11 +28,11 @@ class BlurLength {
  public:
   explicit BlurLength(double exposure_s) : exposure_s_(exposure_s) {}
 
-  /// Length in pixels for the next image (CV_8UC1); a small one for the first, and for one after
-  /// a gap of more than 0.2 s, after a step back in time or of another size.
-  double Next(const cv::Mat& grey, StampNs stamp_ns);
+  /// The next image (CV_8UC1). Its length is taken to be small for the first, and for one after a
+  /// gap of more than 0.2 s, after a step back in time or of another size.
+  BlurEstimate Next(const cv::Mat& grey, StampNs stamp_ns);
 
-  /// Takes the length of the image before to be small: nothing could be seen in it.
+  /// The next image does not follow on another: nothing could be seen in the last.
   void Forget();
 
  private:

@@ -36,13 +36,23 @@ double MeanSquareDifference(const cv::Mat& image, cv::Point step) {
   return static_cast<double>(sum) / (static_cast<double>(end - begin) * num_rows);
 }
 
+double FineSquare(const cv::Mat& image, cv::Point direction) {
+  return std::max(MeanSquareDifference(image, kFineLag * direction) - kNoise, kMinSquare);
+}
+
 double LogSharpness(const cv::Mat& image, cv::Point direction) {
-  const double fine = MeanSquareDifference(image, kFineLag * direction);
   const double coarse = MeanSquareDifference(image, kCoarseLag * direction);
-  return std::log(std::max(fine - kNoise, kMinSquare) / std::max(coarse, kMinSquare));
+  return std::log(FineSquare(image, direction) / std::max(coarse, kMinSquare));
 }
 
 }  // namespace
+
+double FineDetail(const cv::Mat& image) {
+  if (image.rows <= kFineLag || image.cols <= kFineLag) return 0;
+  double log_sum = 0;
+  for (const cv::Point direction : kDirections) log_sum += std::log(FineSquare(image, direction));
+  return std::exp(log_sum / static_cast<double>(std::size(kDirections)));
+}
 
 double SharpnessLoss(const cv::Mat& before, const cv::Mat& now, cv::Point2d shift_px) {
   const cv::Rect image(0, 0, now.cols, now.rows);
