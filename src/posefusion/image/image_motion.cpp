@@ -17,8 +17,9 @@ constexpr int kTileRows = 3;
 constexpr int kBlockColumns = 8;
 constexpr int kBlockRows = 6;
 constexpr std::size_t kMinBlocks = 4;
-constexpr double kMinDeviation = 1.5;  ///< grey levels: four times what noise leaves
-constexpr double kMinResponse = 0.1;   ///< share of the correlation that its peak holds
+constexpr double kLengthQuantile = 0.45;  ///< below the median: people move more than the room
+constexpr double kMinDeviation = 1.5;     ///< grey levels: four times what noise leaves
+constexpr double kMinResponse = 0.1;      ///< share of the correlation that its peak holds
 constexpr int kPeakRadius = 2;
 
 cv::Mat Coarse(const cv::Mat& grey) {
@@ -63,10 +64,11 @@ std::optional<cv::Point2d> FindPeak(const cv::Mat& correlation) {
   return cv::Point2d(Signed(peak.x), Signed(peak.y)) + weighted / sum;
 }
 
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+double QuantileOf(std::vector<double> values, double share) {
+  const auto place =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
 }
 
 /// Mean of each block.
@@ -120,7 +122,7 @@ std::optional<ImageShift> MedianShift(const cv::Mat& before, const cv::Mat& now,
     }
   }
   if (length.size() < kMinBlocks) return std::nullopt;
-  return ImageShift{{Median(x), Median(y)}, Median(length)};
+  return ImageShift{{QuantileOf(x, 0.5), QuantileOf(y, 0.5)}, QuantileOf(length, kLengthQuantile)};
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace posefusion {
 /// How the content of an image has moved since the image before.
 struct ImageShift {
   cv::Point2d shift_px;  ///< median over the image of where the content went
-  double length_px = 0;  ///< median over the image of how far; more than |shift_px| when it turns
+  double length_px = 0;  ///< about the median of how far; more than |shift_px| when it turns
 };
 
 /// Follows the motion of the image at a width of 160 pixels. Phase correlation (Kuglin, Hines 1975)
