@@ -32,9 +32,14 @@ class MaskRefinement {
              cv::Mat& mask);
 
  private:
-  MaskRefinementConfig config_;
-  cv::Mat fine_;
+  void DecidePixels(const cv::Mat& cell_mask, const CellGrid& cells, const cv::Rect& cell_box,
+                    const cv::Mat& depth_m);
+  void AddRim(const cv::Rect& box, const cv::Mat& depth_m, cv::Mat& mask);
+
+  const MaskRefinementConfig config_;
+  cv::Mat fine_;  ///< the cut at full resolution; valid in the box of the people only
   cv::Mat grown_;
+  cv::Mat without_depth_;
 };
 
 }  // namespace posefusion

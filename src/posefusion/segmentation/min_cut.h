@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <memory>
 #include <opencv2/core/mat.hpp>
@@ -75,6 +75,10 @@ class MinCut {
   /// `person` becomes CV_8UC1 of the region's size, 255 = person. All 0 without seeds.
   virtual void Solve(const CutProblem& problem, cv::Mat& person) = 0;
 };
+
+/// Turns camera points so that the X-Y plane is that of equation 3: horizontal, with z downwards,
+/// where gravity is known; else the image plane.
+Eigen::Matrix3f RotationToPenaltyFrame(const std::optional<Eigen::Vector3f>& gravity);
 
 std::unique_ptr<MinCut> MakeMinCut(const MinCutConfig& config);
 

@@ -1,0 +1,183 @@
+#include "posefusion/segmentation/person_cutter.h"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+
+#include "posefusion/config/config.h"
+#include "posefusion/segmentation/background_surfaces.h"
+
+namespace posefusion {
+namespace {
+
+constexpr std::size_t kMinSeeds = 2;        ///< of one person
+constexpr std::size_t kMaxCellSeeds = 150;  ///< points that stand for certain cells
+
+const HumanRemovalConfig& Checked(const HumanRemovalConfig& config) {
+  CheckRanges("human_removal", config);
+  return config;
+}
+
+/// Seeds that are not on a cell found to be background.
+void DropSeedsOnBackground(const PersonSeeds& person, CutProblem& problem) {
+  problem.seeds.clear();
+  for (const Seed& seed : person.seeds) {
+    const int size = problem.cells->size_px();
+    const cv::Point cell(cvFloor((seed.pixel.x + 0.5F) / static_cast<float>(size)),
+                         cvFloor((seed.pixel.y + 0.5F) / static_cast<float>(size)));
+    const cv::Point place = cell - problem.region.tl();
+    const bool inside = cv::Rect({0, 0}, problem.region.size()).contains(place);
+    if (inside && problem.states.at(place.x, place.y) == CellState::kBackground) continue;
+    problem.seeds.push_back(seed.p_camera);
+  }
+}
+
+}  // namespace
+
+struct PersonCutter::Parts {
+  explicit Parts(const HumanRemovalConfig& c)
+      : config(c),
+        cells(c.cells),
+        surfaces(c.background_surfaces),
+        min_cut(MakeMinCut(c.min_cut)),
+        refinement(c.mask) {}
+
+  const HumanRemovalConfig config;
+  CellGrid cells;
+  BackgroundSurfaces surfaces;
+  std::unique_ptr<MinCut> min_cut;
+  MaskRefinement refinement;
+  std::vector<PersonSeeds> people;
+  CutProblem problem;
+  cv::Mat cut;
+  cv::Mat cell_mask;
+
+  /// Makes the cells of the region with depth in its range free.
+  void OpenRegion(const PersonRegion& region) {
+    problem.cells = &cells;
+    problem.region = region.cells;
+    problem.states.Resize(region.cells.width, region.cells.height);
+    for (int y = 0; y < region.cells.height; ++y) {
+      for (int x = 0; x < region.cells.width; ++x) {
+        const float z = cells.DepthAt(region.cells.x + x, region.cells.y + y);
+        const bool in_range = z > 0 && z >= region.min_depth_m && z <= region.max_depth_m;
+        problem.states.at(x, y) = in_range ? CellState::kFree : CellState::kOutside;
+      }
+    }
+  }
+
+  void Solve() {
+    min_cut->Solve(problem, cut);
+    cv::Mat part = cell_mask(problem.region);
+    cv::bitwise_or(part, cut, part);
+  }
+
+  void CutPerson(const PersonSeeds& person, const CameraModel& camera) {
+    const PersonRegion region = RegionOf(person, cells, camera, config.region);
+    if (region.cells.empty()) return;
+    OpenRegion(region);
+    problem.seeds.clear();
+    for (const Seed& seed : person.seeds) problem.seeds.push_back(seed.p_camera);
+    surfaces.Mark(problem);
+    DropSeedsOnBackground(person, problem);
+    if (problem.seeds.size() >= kMinSeeds) Solve();
+  }
+
+  /// Seeds from certain cells, and the same certain cells fixed.
+  void CutCells(const CellSeeds& seeds, const CameraModel& camera) {
+    const PersonSeeds person = SeedsOf(seeds);
+    const PersonRegion region = RegionOf(person, cells, camera, config.region);
+    if (region.cells.empty()) return;
+    OpenRegion(region);
+    problem.seeds.clear();
+    for (const Seed& seed : person.seeds) problem.seeds.push_back(seed.p_camera);
+    surfaces.Mark(problem);
+    FixCells(seeds);
+    Solve();
+  }
+
+  PersonSeeds SeedsOf(const CellSeeds& seeds) const;
+  void FixCells(const CellSeeds& seeds);
+};
+
+PersonSeeds PersonCutter::Parts::SeedsOf(const CellSeeds& seeds) const {
+  std::vector<cv::Point> places;
+  for (int y = 0; y < cells.height(); ++y) {
+    for (int x = 0; x < cells.width(); ++x) {
+      const bool denied = !seeds.background.empty() && seeds.background.at<std::uint8_t>(y, x) != 0;
+      if (seeds.person.at<std::uint8_t>(y, x) == 0 || denied || cells.DepthAt(x, y) <= 0) continue;
+      places.emplace_back(x, y);
+    }
+  }
+  PersonSeeds person;
+  person.found.fill(true);  // nothing is known to be missing
+  const std::size_t step = 1 + places.size() / kMaxCellSeeds;
+  const float size = static_cast<float>(cells.size_px());
+  std::vector<float> depths;
+  for (std::size_t i = 0; i < places.size(); i += step) {
+    const cv::Point place = places[i];
+    const cv::Point2f centre((static_cast<float>(place.x) + 0.5F) * size - 0.5F,
+                             (static_cast<float>(place.y) + 0.5F) * size - 0.5F);
+    person.seeds.push_back({centre, cells.PointAt(place.x, place.y)});
+    depths.push_back(cells.DepthAt(place.x, place.y));
+  }
+  if (depths.empty()) return person;
+  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+  std::nth_element(depths.begin(), middle, depths.end());
+  person.body_depth_m = *middle;
+  return person;
+}
+
+void PersonCutter::Parts::FixCells(const CellSeeds& seeds) {
+  for (int y = 0; y < problem.region.height; ++y) {
+    for (int x = 0; x < problem.region.width; ++x) {
+      CellState& state = problem.states.at(x, y);
+      if (state == CellState::kOutside) continue;
+      const cv::Point cell(problem.region.x + x, problem.region.y + y);
+      if (seeds.person.at<std::uint8_t>(cell) != 0) state = CellState::kPerson;
+      if (!seeds.background.empty() && seeds.background.at<std::uint8_t>(cell) != 0) {
+        state = CellState::kBackground;
+      }
+    }
+  }
+}
+
+PersonCutter::PersonCutter(const HumanRemovalConfig& config)
+    : parts_(std::make_unique<Parts>(Checked(config))) {}
+
+PersonCutter::~PersonCutter() = default;
+
+void PersonCutter::Cut(const RgbdFrame& frame, const CutRequest& request, cv::Mat& mask) {
+  Parts& p = *parts_;
+  p.cells.Build(frame.depth_m, frame.camera);
+  p.cell_mask.create(p.cells.size(), CV_8UC1);
+  p.cell_mask.setTo(0);
+  p.problem.gravity = request.gravity;
+  p.people.clear();
+  if (request.skeletons != nullptr) {
+    for (const Skeleton& skeleton : request.skeletons->people) {
+      p.people.push_back(LiftPerson(skeleton, frame, p.config.seeds));
+      p.CutPerson(p.people.back(), frame.camera);
+    }
+  }
+  for (const CellSeeds& seeds : request.cell_seeds) p.CutCells(seeds, frame.camera);
+  mask.create(frame.depth_m.size(), CV_8UC1);
+  mask.setTo(0);
+  p.refinement.Apply(p.cell_mask, p.cells, frame.depth_m, mask);
+}
+
+void PersonCutter::Cut(const RgbdFrame& frame, const Skeletons& skeletons, cv::Mat& mask) {
+  CutRequest request;
+  request.skeletons = &skeletons;
+  Cut(frame, request, mask);
+}
+
+cv::Size PersonCutter::CellSize(const RgbdFrame& frame) const {
+  const int size = parts_->config.cells.size_px;
+  return {(frame.depth_m.cols + size - 1) / size, (frame.depth_m.rows + size - 1) / size};
+}
+
+const CellGrid& PersonCutter::cells() const { return parts_->cells; }
+const cv::Mat& PersonCutter::cell_mask() const { return parts_->cell_mask; }
+const std::vector<PersonSeeds>& PersonCutter::people() const { return parts_->people; }
+
+}  // namespace posefusion
