@@ -23,7 +23,7 @@ bool IsPure(const CellPeople& people, const CellGrid& cells, int x, int y, float
       others += other != person && other != kUnknownCell ? 1 : 0;
     }
   }
-  return person == kNobody ? others == 0 : others <= same;
+  return others <= same;
 }
 
 }  // namespace

@@ -24,7 +24,11 @@ struct CarryConfig {
   double depth_step_m = 0.06;    ///< the same surface changes depth by less than this ...
   double depth_sigmas = 3.0;     ///< ... and so many depth noise sigmas ...
   double depth_speed_m_s = 1.5;  ///< ... and this speed times the time between the frames
-  double layer_gap_m = 0.10;     ///< neighbours this far apart in depth are of different surfaces
+  /// For cells that could not be followed r of equation 3 and the cost of calling them background:
+  /// small, so that their neighbours on the same surface decide.
+  double radius_m = 4.0;
+  double source_weight = 0.1;
+  double layer_gap_m = 0.10;  ///< neighbours this far apart in depth are of different surfaces
 };
 
 template <class V>
@@ -32,6 +36,8 @@ void Describe(V& v, CarryConfig& c) {
   v.Field("depth_step_m", c.depth_step_m, 0.0, 1.0);
   v.Field("depth_sigmas", c.depth_sigmas, 0.0, 20.0);
   v.Field("depth_speed_m_s", c.depth_speed_m_s, 0.0, 20.0);
+  v.Field("radius_m", c.radius_m, 0.02, 10.0);
+  v.Field("source_weight", c.source_weight, 0.0, 100.0);
   v.Field("layer_gap_m", c.layer_gap_m, 0.01, 1.0);
 }
 

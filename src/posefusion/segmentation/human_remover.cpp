@@ -56,7 +56,8 @@ struct HumanRemover::State {
                                     double time_s);
   void TakeOver(const std::vector<CellPerson>& owners, std::size_t num_skeletons, double time_s,
                 const CellGrid& cells, CellPeople& people);
-  void ForgetTheSmall(const CellPeople& people);
+  int CountPeople(const CellPeople& people);
+  void ForgetWhatIsTooOld(StampNs now_ns);
 
   HumanRemovalConfig config;
   PersonCutter cutter;
@@ -67,7 +68,6 @@ struct HumanRemover::State {
   std::optional<StampNs> last_stamp_ns;
   std::optional<StampNs> newest_keypoints_ns;
   KeypointCounts counts;
-  std::vector<PersonSeeds> seeds;
   cv::Mat past_mask;
 };
 
@@ -208,19 +208,30 @@ void HumanRemover::State::TakeOver(const std::vector<CellPerson>& owners, std::s
   });
 }
 
-void HumanRemover::State::ForgetTheSmall(const CellPeople& people) {
+/// People of enough cells; the others are forgotten.
+int HumanRemover::State::CountPeople(const CellPeople& people) {
   const CellCounts cells = CountCells(people);
+  int num_people = 0;
   for (int number = kNobody + 1; number <= kMaxPersonNumber; ++number) {
-    if (cells[static_cast<std::size_t>(number)] >= config.hold.min_cells) continue;
-    tracks.Forget(static_cast<CellPerson>(number));
+    if (cells[static_cast<std::size_t>(number)] >= config.hold.min_cells) {
+      ++num_people;
+    } else {
+      tracks.Forget(static_cast<CellPerson>(number));
+    }
   }
+  return num_people;
+}
+
+void HumanRemover::State::ForgetWhatIsTooOld(StampNs now_ns) {
+  if (!newest_keypoints_ns) return;
+  const double age_s = SecondsBetween(*newest_keypoints_ns, now_ns);
+  if (config.policy == KeypointPolicy::kPass || age_s > config.hold.max_mask_age_s) tracks.Clear();
 }
 
 void HumanRemover::State::CutAt(std::size_t index, const Skeletons* skeletons,
                                 const std::optional<Eigen::Vector3f>& gravity, cv::Mat& mask) {
   PastFrame& entry = history[index];
   const double time_s = Time(entry.frame.stamp_ns);
-  if (skeletons != nullptr) tracks.NoteKeypoints(time_s);
   Release(entry.people);
   std::vector<CellPerson> carried;
   CutRequest request = RequestFor(entry.people, carried);
@@ -230,6 +241,7 @@ void HumanRemover::State::CutAt(std::size_t index, const Skeletons* skeletons,
   const std::size_t num_skeletons = skeletons != nullptr ? skeletons->people.size() : 0;
   std::vector<CellPerson> owners = Recognise(entry.people, num_skeletons, time_s);
   owners.insert(owners.end(), carried.begin(), carried.end());
+  if (skeletons != nullptr) tracks.NoteKeypoints(time_s);  // first, everybody could be recognised
   TakeOver(owners, num_skeletons, time_s, entry.cells, entry.people);
 }
 
@@ -254,10 +266,29 @@ HumanCut HumanRemover::Process(const RgbdFrame& frame, const std::vector<Skeleto
     s.CutAt(then, newest, gravity, s.past_mask);
     for (std::size_t index = then + 1; index < last; ++index) s.CarryInto(index);
   }
+  s.ForgetWhatIsTooOld(frame.stamp_ns);
   s.CarryInto(last);
   s.CutAt(last, result.has_own_keypoints ? newest : nullptr, gravity, result.mask);
-  s.ForgetTheSmall(s.history[last].people);
+  result.num_people = s.CountPeople(s.history[last].people);
+  if (s.newest_keypoints_ns) {
+    result.mask_age_s = SecondsBetween(*s.newest_keypoints_ns, frame.stamp_ns);
+  }
   return result;
+}
+
+void HumanRemover::Reset() {
+  const HumanRemovalConfig config = state_->config;
+  state_ = std::make_unique<State>(config);
+}
+
+const std::vector<PersonSeeds>& HumanRemover::seeds() const { return state_->cutter.people(); }
+const KeypointCounts& HumanRemover::counts() const { return state_->counts; }
+const HumanRemovalConfig& HumanRemover::config() const { return state_->config; }
+
+cv::Mat StaticDepth(const cv::Mat& depth_m, const cv::Mat& mask) {
+  cv::Mat static_depth_m = depth_m.clone();
+  static_depth_m.setTo(0, mask);
+  return static_depth_m;
 }
 
 }  // namespace posefusion

@@ -52,7 +52,7 @@ class HumanRemover {
   const KeypointCounts& counts() const;
   const HumanRemovalConfig& config() const;
 
-  /// The people of the last keypoints that were applied to the newest frame, lifted; for drawing.
+  /// People of the keypoints that were applied last, lifted; for drawing.
   const std::vector<PersonSeeds>& seeds() const;
 
  private:

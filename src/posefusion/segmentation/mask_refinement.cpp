@@ -125,9 +125,14 @@ void MaskRefinement::AddRim(const cv::Rect& box, const cv::Mat& depth_m, cv::Mat
   };
   const cv::Mat fine = fine_(box);
   cv::Mat people = mask(box);
-  cv::dilate(fine, grown_, square(config_.grow_px));
+  const auto dilate = [&](int radius) {
+    // What lies outside the box is of an earlier image.
+    constexpr int kBorder = cv::BORDER_CONSTANT | cv::BORDER_ISOLATED;
+    cv::dilate(fine, grown_, square(radius), {-1, -1}, 1, kBorder);
+  };
+  dilate(config_.grow_px);
   cv::bitwise_or(people, grown_, people);
-  cv::dilate(fine, grown_, square(config_.fill_px));
+  dilate(config_.fill_px);
   cv::compare(depth_m(box), 0, without_depth_, cv::CMP_LE);
   cv::bitwise_and(grown_, without_depth_, grown_);
   cv::bitwise_or(people, grown_, people);

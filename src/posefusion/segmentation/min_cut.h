@@ -62,6 +62,8 @@ struct CutProblem {
   Grid<CellState> states;                  ///< of the region
   std::vector<Eigen::Vector3f> seeds;      ///< foreground points, camera frame
   std::optional<Eigen::Vector3f> gravity;  ///< unit vector downwards, camera frame
+  double radius_m = 0;                     ///< r of equation 3
+  double source_weight = 0;                ///< cost of calling a free cell background
 };
 
 /// Divides the cells of a region into person and background at least cost:

@@ -68,13 +68,13 @@ void MinCutGrid::Solve(const CutProblem& problem, cv::Mat& person) {
 
   Graph graph(static_cast<unsigned>(points_.size()), static_cast<unsigned>(8 * points_.size()));
   const auto max_penalty = static_cast<float>(config_.max_penalty);
-  const int source_weight = Scaled(static_cast<float>(config_.source_weight));
+  const int source_weight = Scaled(static_cast<float>(problem.source_weight));
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const int vertex = graph.addVtx();
     const CellState state = problem.states.at(places_[i].x, places_[i].y);
     if (state == CellState::kFree) {
       const float metres = std::sqrt(distance.Squared(in_penalty_frame(points_[i])));
-      const float penalty = std::min(metres / static_cast<float>(config_.radius_m), max_penalty);
+      const float penalty = std::min(metres / static_cast<float>(problem.radius_m), max_penalty);
       graph.addTermWeights(vertex, source_weight, Scaled(penalty));
     } else {
       const bool is_person = state == CellState::kPerson;

@@ -56,9 +56,9 @@ void MinCutPcl::Solve(const CutProblem& problem, cv::Mat& person) {
   pcl::MinCutSegmentation<pcl::PointXYZ> segmentation;
   segmentation.setInputCloud(cloud.points);
   segmentation.setForegroundPoints(cloud.foreground);
-  segmentation.setRadius(config_.radius_m);
+  segmentation.setRadius(problem.radius_m);
   segmentation.setSigma(config_.sigma_m);
-  segmentation.setSourceWeight(config_.source_weight);
+  segmentation.setSourceWeight(problem.source_weight);
   segmentation.setNumberOfNeighbours(static_cast<unsigned>(config_.pcl_neighbours));
   std::vector<pcl::PointIndices> clusters;
   segmentation.extract(clusters);

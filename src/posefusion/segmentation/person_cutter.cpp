@@ -50,6 +50,16 @@ struct PersonCutter::Parts {
   CutProblem problem;
   cv::Mat cut;
   cv::Mat cell_mask;
+  std::vector<cv::Mat> cuts;
+  std::size_t current_cut = 0;
+
+  /// A cut without anybody, to be filled by Solve().
+  void BeginCut(std::size_t index) {
+    if (cuts.size() <= index) cuts.resize(index + 1);
+    cuts[index].create(cells.size(), CV_8UC1);
+    cuts[index].setTo(0);
+    current_cut = index;
+  }
 
   /// Makes the cells of the region with depth in its range free.
   void OpenRegion(const PersonRegion& region) {
@@ -69,12 +79,15 @@ struct PersonCutter::Parts {
     min_cut->Solve(problem, cut);
     cv::Mat part = cell_mask(problem.region);
     cv::bitwise_or(part, cut, part);
+    cut.copyTo(cuts[current_cut](problem.region));
   }
 
   void CutPerson(const PersonSeeds& person, const CameraModel& camera) {
     const PersonRegion region = RegionOf(person, cells, camera, config.region);
     if (region.cells.empty()) return;
     OpenRegion(region);
+    problem.radius_m = config.min_cut.radius_m;
+    problem.source_weight = config.min_cut.source_weight;
     problem.seeds.clear();
     for (const Seed& seed : person.seeds) problem.seeds.push_back(seed.p_camera);
     surfaces.Mark(problem);
@@ -88,6 +101,8 @@ struct PersonCutter::Parts {
     const PersonRegion region = RegionOf(person, cells, camera, config.region);
     if (region.cells.empty()) return;
     OpenRegion(region);
+    problem.radius_m = config.carry.radius_m;
+    problem.source_weight = config.carry.source_weight;
     problem.seeds.clear();
     for (const Seed& seed : person.seeds) problem.seeds.push_back(seed.p_camera);
     surfaces.Mark(problem);
@@ -153,13 +168,19 @@ void PersonCutter::Cut(const RgbdFrame& frame, const CutRequest& request, cv::Ma
   p.cell_mask.setTo(0);
   p.problem.gravity = request.gravity;
   p.people.clear();
+  std::size_t num_cuts = 0;
   if (request.skeletons != nullptr) {
     for (const Skeleton& skeleton : request.skeletons->people) {
+      p.BeginCut(num_cuts++);
       p.people.push_back(LiftPerson(skeleton, frame, p.config.seeds));
       p.CutPerson(p.people.back(), frame.camera);
     }
   }
-  for (const CellSeeds& seeds : request.cell_seeds) p.CutCells(seeds, frame.camera);
+  for (const CellSeeds& seeds : request.cell_seeds) {
+    p.BeginCut(num_cuts++);
+    p.CutCells(seeds, frame.camera);
+  }
+  p.cuts.resize(num_cuts);
   mask.create(frame.depth_m.size(), CV_8UC1);
   mask.setTo(0);
   p.refinement.Apply(p.cell_mask, p.cells, frame.depth_m, mask);
@@ -178,6 +199,7 @@ cv::Size PersonCutter::CellSize(const RgbdFrame& frame) const {
 
 const CellGrid& PersonCutter::cells() const { return parts_->cells; }
 const cv::Mat& PersonCutter::cell_mask() const { return parts_->cell_mask; }
+const std::vector<cv::Mat>& PersonCutter::cuts() const { return parts_->cuts; }
 const std::vector<PersonSeeds>& PersonCutter::people() const { return parts_->people; }
 
 }  // namespace posefusion

@@ -49,6 +49,10 @@ class PersonCutter {
   const cv::Mat& cell_mask() const;
   const std::vector<PersonSeeds>& people() const;
 
+  /// Each cut by itself, as cell_mask(): the people of the skeletons, then the entries of
+  /// cell_seeds, in their order.
+  const std::vector<cv::Mat>& cuts() const;
+
  private:
   struct Parts;
   std::unique_ptr<Parts> parts_;

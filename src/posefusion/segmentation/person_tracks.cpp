@@ -3,6 +3,11 @@
 #include <algorithm>
 
 namespace posefusion {
+namespace {
+
+constexpr double kRounding = 1e-4;  ///< times of cells are floats
+
+}  // namespace
 
 void PersonTracks::NoteKeypoints(double time_s) {
   newest_s_ = newest_s_ ? std::max(*newest_s_, time_s) : time_s;
@@ -27,7 +32,8 @@ bool PersonTracks::Holds(CellPerson person, double confirmed_s) const {
   const double seen_s = track->second.last_s - track->second.first_s;
   const double hold_s =
       std::min(config_.min_hold_s + config_.hold_per_seen * seen_s, config_.max_hold_s);
-  return *newest_s_ - confirmed_s <= hold_s;
+  return *newest_s_ - track->second.last_s <= hold_s &&
+         track->second.last_s - confirmed_s <= config_.max_part_hold_s + kRounding;
 }
 
 }  // namespace posefusion

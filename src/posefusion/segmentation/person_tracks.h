@@ -9,9 +9,11 @@ namespace posefusion {
 
 /// How long somebody is believed in whom newer keypoints do not show.
 struct PersonHoldConfig {
-  double min_hold_s = 0.15;     ///< somebody seen once
-  double hold_per_seen = 1.0;   ///< and so many seconds more for each second of being seen
-  double max_hold_s = 2.0;      ///< somebody seen for long
+  double min_hold_s = 0.15;    ///< somebody seen once
+  double hold_per_seen = 1.0;  ///< and so many seconds more for each second of being seen
+  double max_hold_s = 2.0;     ///< somebody seen for long
+  double max_part_hold_s =
+      0.25;                     ///< part of somebody whom the newest keypoints show, but not there
   double max_mask_age_s = 2.0;  ///< without any newer keypoints nobody is believed in for longer
   int min_cells = 4;            ///< somebody of fewer cells is forgotten
 };
@@ -21,6 +23,7 @@ void Describe(V& v, PersonHoldConfig& c) {
   v.Field("min_hold_s", c.min_hold_s, 0.0, 100.0);
   v.Field("hold_per_seen", c.hold_per_seen, 0.0, 100.0);
   v.Field("max_hold_s", c.max_hold_s, 0.0, 100.0);
+  v.Field("max_part_hold_s", c.max_part_hold_s, 0.0, 100.0);
   v.Field("max_mask_age_s", c.max_mask_age_s, 0.0, 1000.0);
   v.Field("min_cells", c.min_cells, 1, 10000);
 }
