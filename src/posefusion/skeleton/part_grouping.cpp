@@ -189,6 +189,7 @@ std::vector<Skeleton> GroupParts(const PartMaps& maps, const PartGroupingConfig&
   });
   if (people.size() > kMaxPeople) people.resize(kMaxPeople);
   std::vector<Skeleton> skeletons;
+  skeletons.reserve(people.size());
   for (const Candidate& person : people) skeletons.push_back(person.skeleton);
   return skeletons;
 }
