@@ -9,39 +9,64 @@
 namespace posefusion {
 namespace {
 
-constexpr int kReachCells = 10;     ///< a plane is made of cells so close together
-constexpr int kScoreSamples = 400;  ///< points that a tried plane is scored with
-constexpr int kMinCandidates = 50;
+constexpr int kSparse = 2;              ///< of so many cells in each direction one is looked at
+constexpr int kNormalReach = 2;         ///< cells
+constexpr int kReachCells = 10;         ///< a plane is made of cells so close together
+constexpr int kScoreSamples = 400;      ///< points that a tried plane is scored with
+constexpr std::size_t kMinPoints = 50;  ///< of a plane
+constexpr float kMinCosine = 0.1F;      ///< flatter views say little of an area
 
 }  // namespace
 
-BackgroundSurfaces::BackgroundSurfaces(const BackgroundSurfacesConfig& config) : config_(config) {}
+BackgroundSurfaces::BackgroundSurfaces(const BackgroundSurfacesConfig& config)
+    : config_(config), min_cosine_(static_cast<float>(std::cos(config.max_angle_rad))) {}
 
-void BackgroundSurfaces::Mark(CutProblem& problem) {
-  if (!config_.enabled || problem.seeds.empty()) return;
-  CollectCandidates(problem);
-  const auto enough =
-      static_cast<std::size_t>(config_.min_support * static_cast<double>(problem.region.area()));
+void BackgroundSurfaces::Find(const CellGrid& cells, const std::vector<Eigen::Vector3f>& seeds,
+                              Grid<std::uint8_t>& background) {
+  background.Resize(cells.width(), cells.height());
+  background.Fill(0);
+  if (!config_.enabled || seeds.empty()) return;
+  ComputeNormals(cells);
+  CollectCandidates(cells, seeds);
   random_state_ = 1;
-  for (int i = 0; i < config_.max_planes; ++i) {
-    if (points_.size() < std::max<std::size_t>(enough, kMinCandidates)) return;
-    Plane plane = BestPlane(problem);
+  for (int i = 0; i < config_.max_planes && points_.size() >= kMinPoints; ++i) {
+    Plane plane = BestPlane(cells);
     Refit(plane);
-    if (static_cast<std::size_t>(CountOn(plane, 1)) < enough) return;
-    TakeFrom(plane, problem);
-    Spread(plane, problem);
+    if (AreaOn(plane, kSparse * cells.size_at_1m()) < config_.min_area_m2) return;
+    TakeFrom(plane, cells);
+    Spread(plane, cells, background);
   }
 }
 
-void BackgroundSurfaces::CollectCandidates(const CutProblem& problem) {
+/// From the cells kNormalReach to each side; none over a gap in depth.
+void BackgroundSurfaces::ComputeNormals(const CellGrid& cells) {
+  normals_.Resize(cells.width(), cells.height());
+  normals_.Fill(Eigen::Vector3f::Zero());
+  for (int y = kNormalReach; y < cells.height() - kNormalReach; ++y) {
+    for (int x = kNormalReach; x < cells.width() - kNormalReach; ++x) {
+      const float left = cells.DepthAt(x - kNormalReach, y);
+      const float right = cells.DepthAt(x + kNormalReach, y);
+      const float up = cells.DepthAt(x, y - kNormalReach);
+      const float down = cells.DepthAt(x, y + kNormalReach);
+      if (left <= 0 || right <= 0 || up <= 0 || down <= 0) continue;
+      const Eigen::Vector3f across =
+          cells.PointAt(x + kNormalReach, y) - cells.PointAt(x - kNormalReach, y);
+      const Eigen::Vector3f along =
+          cells.PointAt(x, y + kNormalReach) - cells.PointAt(x, y - kNormalReach);
+      normals_.at(x, y) = across.cross(along).normalized();
+    }
+  }
+}
+
+void BackgroundSurfaces::CollectCandidates(const CellGrid& cells,
+                                           const std::vector<Eigen::Vector3f>& seeds) {
   points_.clear();
   places_.clear();
-  const SeedDistance distance(problem.seeds);
+  const SeedDistance distance(seeds);
   const auto far = static_cast<float>(config_.min_skeleton_distance_m);
-  for (int y = 0; y < problem.region.height; ++y) {
-    for (int x = 0; x < problem.region.width; ++x) {
-      const Eigen::Vector3f point =
-          problem.cells->PointAt(problem.region.x + x, problem.region.y + y);
+  for (int y = 0; y < cells.height(); y += kSparse) {
+    for (int x = 0; x < cells.width(); x += kSparse) {
+      const Eigen::Vector3f point = cells.PointAt(x, y);
       if (point.z() <= 0 || distance.IsWithin(point, far)) continue;
       points_.push_back(point);
       places_.emplace_back(x, y);
@@ -55,14 +80,14 @@ int BackgroundSurfaces::Random(int end) {
 }
 
 /// Plane through a candidate and two cells near it.
-bool BackgroundSurfaces::PlaneAround(const CutProblem& problem, int candidate, Plane& plane) {
+bool BackgroundSurfaces::PlaneAround(const CellGrid& cells, int candidate, Plane& plane) {
   const cv::Point place = places_[static_cast<std::size_t>(candidate)];
   Eigen::Vector3f corners[3] = {points_[static_cast<std::size_t>(candidate)], {}, {}};
   for (int i = 1; i < 3; ++i) {
     const cv::Point other(place.x + Random(2 * kReachCells + 1) - kReachCells,
                           place.y + Random(2 * kReachCells + 1) - kReachCells);
-    if (!cv::Rect({0, 0}, problem.region.size()).contains(other)) return false;
-    corners[i] = problem.cells->PointAt(problem.region.x + other.x, problem.region.y + other.y);
+    if (!cv::Rect({0, 0}, cells.size()).contains(other)) return false;
+    corners[i] = cells.PointAt(other.x, other.y);
     if (corners[i].z() <= 0) return false;
   }
   const Eigen::Vector3f normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
@@ -73,13 +98,13 @@ bool BackgroundSurfaces::PlaneAround(const CutProblem& problem, int candidate, P
   return true;
 }
 
-BackgroundSurfaces::Plane BackgroundSurfaces::BestPlane(const CutProblem& problem) {
+BackgroundSurfaces::Plane BackgroundSurfaces::BestPlane(const CellGrid& cells) {
   Plane best;
   int best_count = 0;
   const int step = std::max(1, static_cast<int>(points_.size()) / kScoreSamples);
   for (int i = 0; i < config_.num_samples; ++i) {
     Plane plane;
-    if (!PlaneAround(problem, Random(static_cast<int>(points_.size())), plane)) continue;
+    if (!PlaneAround(cells, Random(static_cast<int>(points_.size())), plane)) continue;
     const int count = CountOn(plane, step);
     if (count > best_count) {
       best_count = count;
@@ -92,12 +117,29 @@ BackgroundSurfaces::Plane BackgroundSurfaces::BestPlane(const CutProblem& proble
 int BackgroundSurfaces::CountOn(const Plane& plane, int step) const {
   int count = 0;
   for (std::size_t i = 0; i < points_.size(); i += static_cast<std::size_t>(step)) {
-    count += IsOn(plane, points_[i]) ? 1 : 0;
+    count += IsOn(plane, points_[i], NormalOf(i)) ? 1 : 0;
   }
   return count;
 }
 
-bool BackgroundSurfaces::IsOn(const Plane& plane, const Eigen::Vector3f& point) const {
+/// Area of the candidates on the plane, m^2; 0 when they are too few.
+double BackgroundSurfaces::AreaOn(const Plane& plane, double cell_size_at_1m) const {
+  double area = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (!IsOn(plane, points_[i], NormalOf(i))) continue;
+    const Eigen::Vector3f& point = points_[i];
+    const double edge = cell_size_at_1m * static_cast<double>(point.z());
+    const float cosine = std::abs(plane.normal.dot(point)) / point.norm();
+    area += edge * edge / static_cast<double>(std::max(cosine, kMinCosine));
+    ++count;
+  }
+  return count < kMinPoints ? 0 : area;
+}
+
+bool BackgroundSurfaces::IsOn(const Plane& plane, const Eigen::Vector3f& point,
+                              const Eigen::Vector3f& normal) const {
+  if (std::abs(plane.normal.dot(normal)) < min_cosine_) return false;
   const float along_normal = plane.normal.dot(point);
   const float sigma = DepthSigma(noise_, point.z()) * std::abs(along_normal) / point.z();
   const float tolerance = std::max(static_cast<float>(config_.distance_m),
@@ -110,8 +152,9 @@ void BackgroundSurfaces::Refit(Plane& plane) const {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
   int count = 0;
-  for (const Eigen::Vector3f& point : points_) {
-    if (!IsOn(plane, point)) continue;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (!IsOn(plane, points_[i], NormalOf(i))) continue;
+    const Eigen::Vector3f& point = points_[i];
     const Eigen::Vector3d p = point.cast<double>();
     sum += p;
     squares += p * p.transpose();
@@ -127,13 +170,13 @@ void BackgroundSurfaces::Refit(Plane& plane) const {
 }
 
 /// Takes the candidates on the plane out of the list; the plane spreads from them.
-void BackgroundSurfaces::TakeFrom(const Plane& plane, CutProblem& problem) {
-  reached_.Resize(problem.region.width, problem.region.height);
+void BackgroundSurfaces::TakeFrom(const Plane& plane, const CellGrid& cells) {
+  reached_.Resize(cells.width(), cells.height());
   reached_.Fill(0);
   front_.clear();
   std::size_t kept = 0;
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    if (IsOn(plane, points_[i])) {
+    if (IsOn(plane, points_[i], NormalOf(i))) {
       front_.push_back(places_[i]);
       reached_.at(places_[i].x, places_[i].y) = 1;
       continue;
@@ -145,20 +188,19 @@ void BackgroundSurfaces::TakeFrom(const Plane& plane, CutProblem& problem) {
   places_.resize(kept);
 }
 
-void BackgroundSurfaces::Spread(const Plane& plane, CutProblem& problem) {
+void BackgroundSurfaces::Spread(const Plane& plane, const CellGrid& cells,
+                                Grid<std::uint8_t>& background) {
   const cv::Point kSteps[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
   while (!front_.empty()) {
     const cv::Point cell = front_.back();
     front_.pop_back();
-    CellState& state = problem.states.at(cell.x, cell.y);
-    if (state == CellState::kFree) state = CellState::kBackground;
+    background.at(cell.x, cell.y) = 1;
     for (const cv::Point& step : kSteps) {
       const cv::Point next = cell + step;
-      if (!cv::Rect({0, 0}, problem.region.size()).contains(next)) continue;
+      if (!cv::Rect({0, 0}, cells.size()).contains(next)) continue;
       if (reached_.at(next.x, next.y) != 0) continue;
-      const Eigen::Vector3f point =
-          problem.cells->PointAt(problem.region.x + next.x, problem.region.y + next.y);
-      if (point.z() <= 0 || !IsOn(plane, point)) continue;
+      const Eigen::Vector3f point = cells.PointAt(next.x, next.y);
+      if (point.z() <= 0 || !IsOn(plane, point, normals_.at(next.x, next.y))) continue;
       reached_.at(next.x, next.y) = 1;
       front_.push_back(next);
     }

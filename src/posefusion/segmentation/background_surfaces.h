@@ -1,21 +1,26 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <cstdint>
+#include <opencv2/core/types.hpp>
+#include <vector>
+
 #include "posefusion/image/depth_noise.h"
 #include "posefusion/segmentation/background_surfaces_config.h"
-#include "posefusion/segmentation/min_cut.h"
+#include "posefusion/segmentation/cell_grid.h"
 
 namespace posefusion {
 
-/// Finds large planes around a person and follows them up to the person. Keeps its memory; equal
-/// problems give equal results. Not thread-safe.
+/// Finds large planes away from the people and follows them up to the people. Keeps its memory;
+/// equal input gives equal results. Not thread-safe.
 class BackgroundSurfaces {
  public:
   explicit BackgroundSurfaces(const BackgroundSurfacesConfig& config);
 
-  /// Sets free cells of the problem that lie on such a plane, and are connected on it with cells
-  /// far from every seed, to kBackground. Cells outside the person's range of depth count for
-  /// finding planes.
-  void Mark(CutProblem& problem);
+  /// `background` becomes the size of the cells, 1 where a cell lies on such a plane and is
+  /// connected on it with cells far from every seed, 0 elsewhere.
+  void Find(const CellGrid& cells, const std::vector<Eigen::Vector3f>& seeds,
+            Grid<std::uint8_t>& background);
 
  private:
   struct Plane {
@@ -23,21 +28,28 @@ class BackgroundSurfaces {
     float offset_m = 0;  ///< normal * point + offset = 0
   };
 
-  void CollectCandidates(const CutProblem& problem);
-  Plane BestPlane(const CutProblem& problem);
-  bool PlaneAround(const CutProblem& problem, int candidate, Plane& plane);
+  void ComputeNormals(const CellGrid& cells);
+  void CollectCandidates(const CellGrid& cells, const std::vector<Eigen::Vector3f>& seeds);
+  Plane BestPlane(const CellGrid& cells);
+  bool PlaneAround(const CellGrid& cells, int candidate, Plane& plane);
   int CountOn(const Plane& plane, int step) const;
+  double AreaOn(const Plane& plane, double cell_size_at_1m) const;
   void Refit(Plane& plane) const;
-  bool IsOn(const Plane& plane, const Eigen::Vector3f& point) const;
-  void TakeFrom(const Plane& plane, CutProblem& problem);
-  void Spread(const Plane& plane, CutProblem& problem);
+  bool IsOn(const Plane& plane, const Eigen::Vector3f& point, const Eigen::Vector3f& normal) const;
+  void TakeFrom(const Plane& plane, const CellGrid& cells);
+  void Spread(const Plane& plane, const CellGrid& cells, Grid<std::uint8_t>& background);
   int Random(int end);
+  const Eigen::Vector3f& NormalOf(std::size_t candidate) const {
+    return normals_.at(places_[candidate].x, places_[candidate].y);
+  }
 
   const BackgroundSurfacesConfig config_;
+  const float min_cosine_;
   const DepthNoiseConfig noise_;
   std::uint64_t random_state_ = 0;
   std::vector<Eigen::Vector3f> points_;  ///< of cells far from every seed
-  std::vector<cv::Point> places_;        ///< of the same, in the region
+  Grid<Eigen::Vector3f> normals_;        ///< of all cells; zero where there is none
+  std::vector<cv::Point> places_;        ///< of the same
   std::vector<cv::Point> front_;         ///< cells to spread from
   Grid<std::uint8_t> reached_;
 };

@@ -29,6 +29,8 @@ class CellGrid {
   void Build(const cv::Mat& depth_m, const CameraModel& camera);
 
   int size_px() const { return size_px_; }
+  /// Edge of a cell on a surface one metre away that faces the camera, metres.
+  double size_at_1m() const { return size_px_ / camera_.fx; }
   int width() const { return depth_m_.width(); }
   int height() const { return depth_m_.height(); }
   cv::Size size() const { return {width(), height()}; }

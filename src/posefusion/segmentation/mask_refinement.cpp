@@ -123,16 +123,12 @@ void MaskRefinement::AddRim(const cv::Rect& box, const cv::Mat& depth_m, cv::Mat
   const auto square = [](int radius) {
     return cv::getStructuringElement(cv::MORPH_RECT, {2 * radius + 1, 2 * radius + 1});
   };
+  constexpr int kNothingOutside = cv::BORDER_CONSTANT | cv::BORDER_ISOLATED;
   const cv::Mat fine = fine_(box);
   cv::Mat people = mask(box);
-  const auto dilate = [&](int radius) {
-    // What lies outside the box is of an earlier image.
-    constexpr int kBorder = cv::BORDER_CONSTANT | cv::BORDER_ISOLATED;
-    cv::dilate(fine, grown_, square(radius), {-1, -1}, 1, kBorder);
-  };
-  dilate(config_.grow_px);
+  cv::dilate(fine, grown_, square(config_.grow_px), {-1, -1}, 1, kNothingOutside);
   cv::bitwise_or(people, grown_, people);
-  dilate(config_.fill_px);
+  cv::dilate(fine, grown_, square(config_.fill_px), {-1, -1}, 1, kNothingOutside);
   cv::compare(depth_m(box), 0, without_depth_, cv::CMP_LE);
   cv::bitwise_and(grown_, without_depth_, grown_);
   cv::bitwise_or(people, grown_, people);

@@ -30,9 +30,11 @@ struct MinCutConfig {
   double sigma_m = 0.25;       ///< sigma of equation 2
   double source_weight = 0.8;  ///< cost of calling a point background (PCL's default)
   PenaltyDistance penalty_distance = PenaltyDistance::kSpace;
-  double max_penalty = 1.5;         ///< grid: equation 3 grows no further (own extension)
+  double max_penalty = 0.85;        ///< grid: equation 3 stops growing here (own extension) ...
+  double reach_m = 0.6;             ///< ... and goes on this far from all seeds
   double depth_gap_sigma_m = 0.05;  ///< grid: edges over depth gaps cost less (own extension)
-  int pcl_neighbours = 14;          ///< pcl: edges of a point (PCL's default)
+  double spacing_m = 0.015;  ///< grid: cells so far apart weigh equations 2 and 3 as they stand
+  int pcl_neighbours = 14;   ///< pcl: edges of a point (PCL's default)
 };
 
 template <class V>
@@ -44,6 +46,8 @@ void Describe(V& v, MinCutConfig& c) {
   v.Choice("penalty_distance", c.penalty_distance, {"plane", "space"});
   v.Field("max_penalty", c.max_penalty, 0.1, 1000.0);
   v.Field("depth_gap_sigma_m", c.depth_gap_sigma_m, 0.01, 100.0);
+  v.Field("reach_m", c.reach_m, 0.0, 10.0);
+  v.Field("spacing_m", c.spacing_m, 0.001, 1.0);
   v.Field("pcl_neighbours", c.pcl_neighbours, 1, 100);
 }
 

@@ -49,6 +49,13 @@ int MinCutGrid::SmoothnessWeight(const Eigen::Vector3f& a, const Eigen::Vector3f
   return Scaled(std::exp(-exponent));
 }
 
+/// Equation 3, level between the limit and reach_m.
+float MinCutGrid::Penalty(float distance_m, double radius_m) const {
+  const auto radius = static_cast<float>(radius_m);
+  const float beyond = std::max(distance_m - static_cast<float>(config_.reach_m), 0.0F);
+  return std::min(distance_m / radius, static_cast<float>(config_.max_penalty)) + beyond / radius;
+}
+
 void MinCutGrid::Solve(const CutProblem& problem, cv::Mat& person) {
   person.create(problem.region.size(), CV_8UC1);
   person.setTo(0);
@@ -67,15 +74,17 @@ void MinCutGrid::Solve(const CutProblem& problem, cv::Mat& person) {
   const SeedDistance distance(seeds_);
 
   Graph graph(static_cast<unsigned>(points_.size()), static_cast<unsigned>(8 * points_.size()));
-  const auto max_penalty = static_cast<float>(config_.max_penalty);
-  const int source_weight = Scaled(static_cast<float>(problem.source_weight));
+  const auto source_weight = static_cast<float>(problem.source_weight);
+  const float cell_per_spacing =
+      static_cast<float>(problem.cells->size_at_1m() / config_.spacing_m);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const int vertex = graph.addVtx();
     const CellState state = problem.states.at(places_[i].x, places_[i].y);
     if (state == CellState::kFree) {
       const float metres = std::sqrt(distance.Squared(in_penalty_frame(points_[i])));
-      const float penalty = std::min(metres / static_cast<float>(problem.radius_m), max_penalty);
-      graph.addTermWeights(vertex, source_weight, Scaled(penalty));
+      const float penalty = Penalty(metres, problem.radius_m);
+      const float scale = cell_per_spacing * points_[i].z();
+      graph.addTermWeights(vertex, Scaled(scale * source_weight), Scaled(scale * penalty));
     } else {
       const bool is_person = state == CellState::kPerson;
       graph.addTermWeights(vertex, is_person ? kCertain : 0, is_person ? 0 : kCertain);

@@ -17,18 +17,12 @@ const HumanRemovalConfig& Checked(const HumanRemovalConfig& config) {
   return config;
 }
 
-/// Seeds that are not on a cell found to be background.
-void DropSeedsOnBackground(const PersonSeeds& person, CutProblem& problem) {
-  problem.seeds.clear();
-  for (const Seed& seed : person.seeds) {
-    const int size = problem.cells->size_px();
-    const cv::Point cell(cvFloor((seed.pixel.x + 0.5F) / static_cast<float>(size)),
-                         cvFloor((seed.pixel.y + 0.5F) / static_cast<float>(size)));
-    const cv::Point place = cell - problem.region.tl();
-    const bool inside = cv::Rect({0, 0}, problem.region.size()).contains(place);
-    if (inside && problem.states.at(place.x, place.y) == CellState::kBackground) continue;
-    problem.seeds.push_back(seed.p_camera);
-  }
+/// The cell that shows a pixel, where it is inside the grid.
+std::optional<cv::Point> CellOf(const CellGrid& cells, const cv::Point2f& pixel) {
+  const auto size = static_cast<float>(cells.size_px());
+  const cv::Point cell(cvFloor((pixel.x + 0.5F) / size), cvFloor((pixel.y + 0.5F) / size));
+  if (!cv::Rect({0, 0}, cells.size()).contains(cell)) return std::nullopt;
+  return cell;
 }
 
 }  // namespace
@@ -46,7 +40,9 @@ struct PersonCutter::Parts {
   BackgroundSurfaces surfaces;
   std::unique_ptr<MinCut> min_cut;
   MaskRefinement refinement;
-  std::vector<PersonSeeds> people;
+  std::vector<PersonSeeds> people;   ///< of the skeletons
+  std::vector<PersonSeeds> carried;  ///< of the cell seeds
+  Grid<std::uint8_t> background;     ///< cells on surfaces that are no person's
   CutProblem problem;
   cv::Mat cut;
   cv::Mat cell_mask;
@@ -70,7 +66,10 @@ struct PersonCutter::Parts {
       for (int x = 0; x < region.cells.width; ++x) {
         const float z = cells.DepthAt(region.cells.x + x, region.cells.y + y);
         const bool in_range = z > 0 && z >= region.min_depth_m && z <= region.max_depth_m;
-        problem.states.at(x, y) = in_range ? CellState::kFree : CellState::kOutside;
+        const bool on_surface = background.at(region.cells.x + x, region.cells.y + y) != 0;
+        problem.states.at(x, y) = !in_range    ? CellState::kOutside
+                                  : on_surface ? CellState::kBackground
+                                               : CellState::kFree;
       }
     }
   }
@@ -82,32 +81,48 @@ struct PersonCutter::Parts {
     cut.copyTo(cuts[current_cut](problem.region));
   }
 
-  void CutPerson(const PersonSeeds& person, const CameraModel& camera) {
-    const PersonRegion region = RegionOf(person, cells, camera, config.region);
-    if (region.cells.empty()) return;
+  /// Cuts the person with these seeds out, seeds on background surfaces left out.
+  bool OpenProblem(const PersonSeeds& person, const CameraModel& camera) {
+    PersonSeeds kept = person;
+    const auto is_on_background = [&](const Seed& seed) {
+      const auto cell = CellOf(cells, seed.pixel);
+      return cell && background.at(cell->x, cell->y) != 0;
+    };
+    kept.seeds.erase(std::remove_if(kept.seeds.begin(), kept.seeds.end(), is_on_background),
+                     kept.seeds.end());
+    const PersonRegion region = RegionOf(kept, cells, camera, config.region);
+    if (kept.seeds.size() < kMinSeeds || region.cells.empty()) return false;
     OpenRegion(region);
     problem.radius_m = config.min_cut.radius_m;
     problem.source_weight = config.min_cut.source_weight;
     problem.seeds.clear();
-    for (const Seed& seed : person.seeds) problem.seeds.push_back(seed.p_camera);
-    surfaces.Mark(problem);
-    DropSeedsOnBackground(person, problem);
-    if (problem.seeds.size() >= kMinSeeds) Solve();
+    for (const Seed& seed : kept.seeds) problem.seeds.push_back(seed.p_camera);
+    return true;
+  }
+
+  void CutPerson(const PersonSeeds& person, const CameraModel& camera) {
+    if (OpenProblem(person, camera)) Solve();
   }
 
   /// Seeds from certain cells, and the same certain cells fixed.
-  void CutCells(const CellSeeds& seeds, const CameraModel& camera) {
-    const PersonSeeds person = SeedsOf(seeds);
-    const PersonRegion region = RegionOf(person, cells, camera, config.region);
-    if (region.cells.empty()) return;
-    OpenRegion(region);
+  void CutCells(const CellSeeds& seeds, const PersonSeeds& person, const CameraModel& camera) {
+    if (!OpenProblem(person, camera)) return;
     problem.radius_m = config.carry.radius_m;
     problem.source_weight = config.carry.source_weight;
-    problem.seeds.clear();
-    for (const Seed& seed : person.seeds) problem.seeds.push_back(seed.p_camera);
-    surfaces.Mark(problem);
     FixCells(seeds);
     Solve();
+  }
+
+  /// Planes are looked for away from everybody.
+  void FindSurfaces() {
+    std::vector<Eigen::Vector3f> seeds;
+    for (const auto* persons : {&people, &carried}) {
+      for (const PersonSeeds& person : *persons) {
+        for (const Seed& seed : person.seeds) seeds.push_back(seed.p_camera);
+        seeds.insert(seeds.end(), person.guards.begin(), person.guards.end());
+      }
+    }
+    surfaces.Find(cells, seeds, background);
   }
 
   PersonSeeds SeedsOf(const CellSeeds& seeds) const;
@@ -169,16 +184,21 @@ void PersonCutter::Cut(const RgbdFrame& frame, const CutRequest& request, cv::Ma
   p.problem.gravity = request.gravity;
   p.people.clear();
   std::size_t num_cuts = 0;
+  p.carried.clear();
   if (request.skeletons != nullptr) {
     for (const Skeleton& skeleton : request.skeletons->people) {
-      p.BeginCut(num_cuts++);
       p.people.push_back(LiftPerson(skeleton, frame, p.config.seeds));
-      p.CutPerson(p.people.back(), frame.camera);
     }
   }
-  for (const CellSeeds& seeds : request.cell_seeds) {
+  for (const CellSeeds& seeds : request.cell_seeds) p.carried.push_back(p.SeedsOf(seeds));
+  p.FindSurfaces();
+  for (const PersonSeeds& person : p.people) {
     p.BeginCut(num_cuts++);
-    p.CutCells(seeds, frame.camera);
+    p.CutPerson(person, frame.camera);
+  }
+  for (std::size_t i = 0; i < p.carried.size(); ++i) {
+    p.BeginCut(num_cuts++);
+    p.CutCells(request.cell_seeds[i], p.carried[i], frame.camera);
   }
   p.cuts.resize(num_cuts);
   mask.create(frame.depth_m.size(), CV_8UC1);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "posefusion/segmentation/depth_layers.h"
@@ -16,8 +17,15 @@ constexpr std::array<float, kBones.size()> kBoneLengths = {
     0.50F, 0.50F, 0.32F, 0.12F, 0.20F, 0.12F, 0.20F, 0.65F, 0.65F};
 
 constexpr float kSurfaceNoise = 0.15F;  ///< joints are lifted to skin: bones seem so much longer
-constexpr int kBoneWindow = 2;          ///< pixels
-constexpr float kTrunkWeight = 2;       ///< trunk joints say more about where the body is
+/// Joints less certain than kCertain are often hidden by something that is nearer: their depth has
+/// to agree with the body's so much better, down to this share of the tolerance.
+constexpr float kCertain = 0.5F;
+constexpr float kLeastTolerance = 0.3F;
+constexpr int kBoneWindow = 2;        ///< pixels
+constexpr float kTrunkLength = 0.5F;  ///< metres
+constexpr float kLegLength = 0.9F;
+constexpr float kGuardStep = 0.15F;
+constexpr float kTrunkWeight = 2;  ///< trunk joints say more about where the body is
 
 bool IsTrunk(std::size_t joint) {
   return joint == kNeck || joint == kRightShoulder || joint == kLeftShoulder ||
@@ -43,6 +51,7 @@ class Lifting {
     TakeJoints();
     if (config_.seed_along_bones) SeedBones();
     if (config_.seed_extremities) SeedExtremities();
+    GuardMissingParts();
     return result_;
   }
 
@@ -101,8 +110,9 @@ class Lifting {
 
   void LiftJoints() {
     for (std::size_t i = 0; i < kNumCocoJoints; ++i) {
-      const auto z = NearestLayer(joint_layers_[i], result_.body_depth_m,
-                                  static_cast<float>(config_.max_body_depth_m));
+      const float tolerance_m = static_cast<float>(config_.max_body_depth_m) *
+                                std::clamp(skeleton_[i].p / kCertain, kLeastTolerance, 1.0F);
+      const auto z = NearestLayer(joint_layers_[i], result_.body_depth_m, tolerance_m);
       if (z) joints_[i] = SeedAt(skeleton_[i].u, skeleton_[i].v, *z);
     }
   }
@@ -197,6 +207,22 @@ class Lifting {
     } else {
       SeedBeyond(kRightHip, kNeck, {0.15F, 0.3F, 0.45F});
       SeedBeyond(kLeftHip, kNeck, {0.15F, 0.3F, 0.45F});
+    }
+  }
+
+  /// Points down the image from the lowest part of the trunk or the thighs, where legs are missing.
+  void GuardMissingParts() {
+    const auto has = [&](CocoJoint joint) { return joints_[joint].has_value(); };
+    if (has(kRightAnkle) || has(kLeftAnkle)) return;
+    float length_m = kTrunkLength + kLegLength;
+    if (has(kRightHip) || has(kLeftHip)) length_m = kLegLength;
+    if (has(kRightKnee) || has(kLeftKnee)) length_m = kLegLength / 2;
+    Eigen::Vector3f lowest(0, -std::numeric_limits<float>::infinity(), 0);
+    for (const auto& joint : joints_) {
+      if (joint && joint->p_camera.y() > lowest.y()) lowest = joint->p_camera;
+    }
+    for (float y = 0; y <= length_m; y += kGuardStep) {
+      result_.guards.emplace_back(lowest.x(), lowest.y() + y, lowest.z());
     }
   }
 

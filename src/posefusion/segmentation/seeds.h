@@ -47,10 +47,11 @@ struct Seed {
 
 /// What is known of a person from keypoints and depth.
 struct PersonSeeds {
-  std::vector<Seed> seeds;                 ///< joints first, then points along bones and beyond
-  int num_joints = 0;                      ///< of the seeds
-  std::array<bool, kNumCocoJoints> found;  ///< joints that were lifted
-  float body_depth_m = 0;                  ///< of most joints; 0 when nothing was lifted
+  std::vector<Seed> seeds;              ///< joints first, then points along bones and beyond
+  std::vector<Eigen::Vector3f> guards;  ///< where unseen parts may be: no plane is looked for there
+  int num_joints = 0;                   ///< of the seeds
+  std::array<bool, kNumCocoJoints> found{};  ///< joints that were lifted
+  float body_depth_m = 0;                    ///< of most joints; 0 when nothing was lifted
 };
 
 /// Lifts the joints of a person to 3-D with the pinhole model, distortion included, and adds points
