@@ -36,10 +36,7 @@ void CarryPeople(const CellPeople& before, const CellGrid& cells_before, const c
   const DepthNoiseConfig noise;
   const auto step_m = static_cast<float>(config.depth_step_m + config.depth_speed_m_s * interval_s);
   const auto gap_m = static_cast<float>(config.layer_gap_m);
-  now.person.Resize(width, height);
-  now.confirmed_s.Resize(width, height);
-  now.person.Fill(kUnknownCell);
-  now.confirmed_s.Fill(0);
+  now.Forget(cells_now.size());
   for (int y = 0; y < height; ++y) {
     const auto* moved = motion.ptr<cv::Vec2f>(y);
     for (int x = 0; x < width; ++x) {
@@ -54,7 +51,7 @@ void CarryPeople(const CellPeople& before, const CellGrid& cells_before, const c
       const CellPerson person = before.person.at(u, v);
       if (person == kUnknownCell || !IsPure(before, cells_before, u, v, gap_m)) continue;
       now.person.at(x, y) = person;
-      now.confirmed_s.at(x, y) = before.confirmed_s.at(u, v);
+      now.evidence.at(x, y) = before.evidence.at(u, v);
     }
   }
 }

@@ -17,7 +17,16 @@ constexpr CellPerson kUnknownCell = 255;  ///< came into view or could not be fo
 /// Who is where in the cells of a frame.
 struct CellPeople {
   Grid<CellPerson> person;  ///< number of a tracked person, or one of the constants above
-  Grid<float> confirmed_s;  ///< of people's cells: when keypoints last covered them, run time
+  /// -1 (surely background) to 1 (surely that person): what keypoints said of the cell, smoothed.
+  Grid<float> evidence;
+
+  /// Nothing is known of any cell.
+  void Forget(cv::Size size) {
+    person.Resize(size.width, size.height);
+    evidence.Resize(size.width, size.height);
+    person.Fill(kUnknownCell);
+    evidence.Fill(0);
+  }
 };
 
 struct CarryConfig {

@@ -177,6 +177,17 @@ PersonCutter::PersonCutter(const HumanRemovalConfig& config)
 PersonCutter::~PersonCutter() = default;
 
 void PersonCutter::Cut(const RgbdFrame& frame, const CutRequest& request, cv::Mat& mask) {
+  CutCells(frame, request);
+  Refine(frame, parts_->cell_mask, mask);
+}
+
+void PersonCutter::Refine(const RgbdFrame& frame, const cv::Mat& cell_mask, cv::Mat& mask) {
+  mask.create(frame.depth_m.size(), CV_8UC1);
+  mask.setTo(0);
+  parts_->refinement.Apply(cell_mask, parts_->cells, frame.depth_m, mask);
+}
+
+void PersonCutter::CutCells(const RgbdFrame& frame, const CutRequest& request) {
   Parts& p = *parts_;
   p.cells.Build(frame.depth_m, frame.camera);
   p.cell_mask.create(p.cells.size(), CV_8UC1);
@@ -201,9 +212,6 @@ void PersonCutter::Cut(const RgbdFrame& frame, const CutRequest& request, cv::Ma
     p.CutCells(request.cell_seeds[i], p.carried[i], frame.camera);
   }
   p.cuts.resize(num_cuts);
-  mask.create(frame.depth_m.size(), CV_8UC1);
-  mask.setTo(0);
-  p.refinement.Apply(p.cell_mask, p.cells, frame.depth_m, mask);
 }
 
 void PersonCutter::Cut(const RgbdFrame& frame, const Skeletons& skeletons, cv::Mat& mask) {

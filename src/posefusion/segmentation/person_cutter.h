@@ -40,6 +40,13 @@ class PersonCutter {
   void Cut(const RgbdFrame& frame, const CutRequest& request, cv::Mat& mask);
   void Cut(const RgbdFrame& frame, const Skeletons& skeletons, cv::Mat& mask);
 
+  /// The first half of Cut(): cells only. See cuts() and cell_mask().
+  void CutCells(const RgbdFrame& frame, const CutRequest& request);
+
+  /// The second half: brings any mask of the cells (CV_8UC1, 255 = person) of the frame cut last to
+  /// full resolution.
+  void Refine(const RgbdFrame& frame, const cv::Mat& cell_mask, cv::Mat& mask);
+
   /// Size of the cell grid of a frame.
   cv::Size CellSize(const RgbdFrame& frame) const;
 

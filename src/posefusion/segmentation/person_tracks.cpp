@@ -3,11 +3,6 @@
 #include <algorithm>
 
 namespace posefusion {
-namespace {
-
-constexpr double kRounding = 1e-4;  ///< times of cells are floats
-
-}  // namespace
 
 void PersonTracks::NoteKeypoints(double time_s) {
   newest_s_ = newest_s_ ? std::max(*newest_s_, time_s) : time_s;
@@ -26,14 +21,14 @@ void PersonTracks::Confirm(CellPerson person, double time_s) {
   track.last_s = std::max(track.last_s, time_s);
 }
 
-bool PersonTracks::Holds(CellPerson person, double confirmed_s) const {
+bool PersonTracks::Holds(CellPerson person) const {
   const auto track = tracks_.find(person);
   if (track == tracks_.end() || !newest_s_) return false;
   const double seen_s = track->second.last_s - track->second.first_s;
-  const double hold_s =
-      std::min(config_.min_hold_s + config_.hold_per_seen * seen_s, config_.max_hold_s);
-  return *newest_s_ - track->second.last_s <= hold_s &&
-         track->second.last_s - confirmed_s <= config_.max_part_hold_s + kRounding;
+  const bool is_trusted = seen_s >= config_.trusted_after_s;
+  const double hold_s = is_trusted ? std::min(config_.hold_per_seen * seen_s, config_.max_hold_s)
+                                   : config_.min_hold_s;
+  return *newest_s_ - track->second.last_s <= hold_s;
 }
 
 }  // namespace posefusion

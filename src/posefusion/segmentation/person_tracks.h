@@ -9,11 +9,12 @@ namespace posefusion {
 
 /// How long somebody is believed in whom newer keypoints do not show.
 struct PersonHoldConfig {
-  double min_hold_s = 0.15;    ///< somebody seen once
-  double hold_per_seen = 1.0;  ///< and so many seconds more for each second of being seen
-  double max_hold_s = 2.0;     ///< somebody seen for long
-  double max_part_hold_s =
-      0.25;                     ///< part of somebody whom the newest keypoints show, but not there
+  double min_hold_s = 0.1;       ///< somebody seen for a shorter time than ...
+  double trusted_after_s = 0.5;  ///< ... this; from then on ...
+  double hold_per_seen = 1.5;    ///< ... so many seconds for each second of being seen
+  double max_hold_s = 2.0;       ///< somebody seen for long
+  double gain = 0.35;  ///< keypoints that cover a cell move its evidence by this share towards 1
+  double loss = 0.2;   ///< keypoints that do not cover it move it by this share towards -1
   double max_mask_age_s = 2.0;  ///< without any newer keypoints nobody is believed in for longer
   int min_cells = 4;            ///< somebody of fewer cells is forgotten
 };
@@ -21,9 +22,11 @@ struct PersonHoldConfig {
 template <class V>
 void Describe(V& v, PersonHoldConfig& c) {
   v.Field("min_hold_s", c.min_hold_s, 0.0, 100.0);
+  v.Field("trusted_after_s", c.trusted_after_s, 0.0, 100.0);
   v.Field("hold_per_seen", c.hold_per_seen, 0.0, 100.0);
   v.Field("max_hold_s", c.max_hold_s, 0.0, 100.0);
-  v.Field("max_part_hold_s", c.max_part_hold_s, 0.0, 100.0);
+  v.Field("gain", c.gain, 0.0, 1.0);
+  v.Field("loss", c.loss, 0.0, 1.0);
   v.Field("max_mask_age_s", c.max_mask_age_s, 0.0, 1000.0);
   v.Field("min_cells", c.min_cells, 1, 10000);
 }
@@ -43,11 +46,13 @@ class PersonTracks {
   void Forget(CellPerson person) { tracks_.erase(person); }
   void Clear() { tracks_.clear(); }
 
-  /// Whether a cell of `person` that keypoints covered last at confirmed_s still counts as theirs.
-  bool Holds(CellPerson person, double confirmed_s) const;
+  /// Whether somebody is still believed in.
+  bool Holds(CellPerson person) const;
 
   /// When keypoints covered the person last. @throws std::out_of_range for an unknown one.
   double LastConfirmed(CellPerson person) const { return tracks_.at(person).last_s; }
+
+  const PersonHoldConfig& config() const { return config_; }
 
   /// Time of the newest keypoints used so far.
   std::optional<double> newest_keypoints_s() const { return newest_s_; }
