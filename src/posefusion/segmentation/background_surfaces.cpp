@@ -32,9 +32,13 @@ void BackgroundSurfaces::Find(const CellGrid& cells, const std::vector<Eigen::Ve
   for (int i = 0; i < config_.max_planes && points_.size() >= kMinPoints; ++i) {
     Plane plane = BestPlane(cells);
     Refit(plane);
-    if (AreaOn(plane, kSparse * cells.size_at_1m()) < config_.min_area_m2) return;
+    const double area_m2 = AreaOn(plane, kSparse * cells.size_at_1m());
     TakeFrom(plane, cells);
-    Spread(plane, cells, background);
+    if (area_m2 >= config_.min_broken_area_m2) {
+      TakeAll(plane, cells, background);
+    } else if (area_m2 >= config_.min_area_m2) {
+      Spread(plane, cells, background);
+    }
   }
 }
 
@@ -100,26 +104,27 @@ bool BackgroundSurfaces::PlaneAround(const CellGrid& cells, int candidate, Plane
 
 BackgroundSurfaces::Plane BackgroundSurfaces::BestPlane(const CellGrid& cells) {
   Plane best;
-  int best_count = 0;
-  const int step = std::max(1, static_cast<int>(points_.size()) / kScoreSamples);
+  float best_score = 0;
+  const std::size_t step = std::max<std::size_t>(1, points_.size() / kScoreSamples);
   for (int i = 0; i < config_.num_samples; ++i) {
     Plane plane;
     if (!PlaneAround(cells, Random(static_cast<int>(points_.size())), plane)) continue;
-    const int count = CountOn(plane, step);
-    if (count > best_count) {
-      best_count = count;
+    const float score = ScoreOf(plane, step);
+    if (score > best_score) {
+      best_score = score;
       best = plane;
     }
   }
   return best;
 }
 
-int BackgroundSurfaces::CountOn(const Plane& plane, int step) const {
-  int count = 0;
-  for (std::size_t i = 0; i < points_.size(); i += static_cast<std::size_t>(step)) {
-    count += IsOn(plane, points_[i], NormalOf(i)) ? 1 : 0;
+/// Grows with the area on the plane: a cell covers more where it is farther.
+float BackgroundSurfaces::ScoreOf(const Plane& plane, std::size_t step) const {
+  float score = 0;
+  for (std::size_t i = 0; i < points_.size(); i += step) {
+    if (IsOn(plane, points_[i], NormalOf(i))) score += points_[i].z() * points_[i].z();
   }
-  return count;
+  return score;
 }
 
 /// Area of the candidates on the plane, m^2; 0 when they are too few.
@@ -186,6 +191,17 @@ void BackgroundSurfaces::TakeFrom(const Plane& plane, const CellGrid& cells) {
   }
   points_.resize(kept);
   places_.resize(kept);
+}
+
+/// Every cell on the plane: arms on a table cut parts of it off.
+void BackgroundSurfaces::TakeAll(const Plane& plane, const CellGrid& cells,
+                                 Grid<std::uint8_t>& background) const {
+  for (int y = 0; y < cells.height(); ++y) {
+    for (int x = 0; x < cells.width(); ++x) {
+      const Eigen::Vector3f point = cells.PointAt(x, y);
+      if (point.z() > 0 && IsOn(plane, point, normals_.at(x, y))) background.at(x, y) = 1;
+    }
+  }
 }
 
 void BackgroundSurfaces::Spread(const Plane& plane, const CellGrid& cells,
