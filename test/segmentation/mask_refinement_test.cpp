@@ -9,15 +9,15 @@
 namespace posefusion {
 namespace {
 
-/// A true cut of cells, by the pixel in the middle of each.
-cv::Mat CellMask(const cv::Mat& mask) {
-  cv::Mat cells(120, 160, CV_8UC1);
-  for (int y = 0; y < 120; ++y) {
-    for (int x = 0; x < 160; ++x) {
-      cells.at<std::uint8_t>(y, x) = mask.at<std::uint8_t>(4 * y + 2, 4 * x + 2);
+/// The cut of cells that are nearer than anything but the person is.
+cv::Mat CellMask(const CellGrid& cells) {
+  cv::Mat mask(cells.size(), CV_8UC1);
+  for (int y = 0; y < cells.height(); ++y) {
+    for (int x = 0; x < cells.width(); ++x) {
+      mask.at<std::uint8_t>(y, x) = cells.DepthAt(x, y) > 0 && cells.DepthAt(x, y) < 2.3F ? 255 : 0;
     }
   }
-  return cells;
+  return mask;
 }
 
 class MaskRefinementTest : public testing::Test {
@@ -28,7 +28,7 @@ class MaskRefinementTest : public testing::Test {
     CellGrid cells{CellGridConfig()};
     cells.Build(frame_.depth_m, frame_.camera);
     cv::Mat mask = cv::Mat::zeros(frame_.depth_m.size(), CV_8UC1);
-    MaskRefinement(config).Apply(CellMask(scene_.TrueMask()), cells, frame_.depth_m, mask);
+    MaskRefinement(config).Apply(CellMask(cells), cells, frame_.depth_m, mask);
     return mask;
   }
 
@@ -75,7 +75,7 @@ TEST_F(MaskRefinementTest, LeavesTheRestOfTheMaskAlone) {
   cv::Mat mask = cv::Mat::zeros(frame_.depth_m.size(), CV_8UC1);
   mask.at<std::uint8_t>(5, 5) = 255;
   MaskRefinement refinement{MaskRefinementConfig()};
-  refinement.Apply(CellMask(scene_.TrueMask()), cells, frame_.depth_m, mask);
+  refinement.Apply(CellMask(cells), cells, frame_.depth_m, mask);
   EXPECT_EQ(mask.at<std::uint8_t>(5, 5), 255);
   EXPECT_EQ(mask.at<std::uint8_t>(5, 300), 0);
 }

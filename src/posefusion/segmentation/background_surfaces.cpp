@@ -9,6 +9,11 @@
 namespace posefusion {
 namespace {
 
+/// What is known of cells; most are not looked at.
+constexpr std::uint8_t kUnknown = 0;
+constexpr std::uint8_t kNearSeeds = 1;
+constexpr std::uint8_t kFarFromSeeds = 2;
+
 constexpr int kSparse = 2;              ///< of so many cells in each direction one is looked at
 constexpr int kNormalReach = 2;         ///< cells
 constexpr int kReachCells = 10;         ///< a plane is made of cells so close together
@@ -66,12 +71,16 @@ void BackgroundSurfaces::CollectCandidates(const CellGrid& cells,
                                            const std::vector<Eigen::Vector3f>& seeds) {
   points_.clear();
   places_.clear();
+  near_.Resize(cells.width(), cells.height());
+  near_.Fill(kUnknown);
   const SeedDistance distance(seeds);
   const auto far = static_cast<float>(config_.min_skeleton_distance_m);
   for (int y = 0; y < cells.height(); y += kSparse) {
     for (int x = 0; x < cells.width(); x += kSparse) {
       const Eigen::Vector3f point = cells.PointAt(x, y);
-      if (point.z() <= 0 || distance.IsWithin(point, far)) continue;
+      if (point.z() <= 0) continue;
+      near_.at(x, y) = distance.IsWithin(point, far) ? kNearSeeds : kFarFromSeeds;
+      if (near_.at(x, y) == kNearSeeds) continue;
       points_.push_back(point);
       places_.emplace_back(x, y);
     }
@@ -204,13 +213,16 @@ void BackgroundSurfaces::TakeAll(const Plane& plane, const CellGrid& cells,
   }
 }
 
+/// A body close to the camera has flat places too; they lie around its seeds.
 void BackgroundSurfaces::Spread(const Plane& plane, const CellGrid& cells,
                                 Grid<std::uint8_t>& background) {
   const cv::Point kSteps[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
-  while (!front_.empty()) {
-    const cv::Point cell = front_.back();
-    front_.pop_back();
-    background.at(cell.x, cell.y) = 1;
+  std::size_t num_near = 0;
+  std::size_t num_far = 0;
+  for (std::size_t i = 0; i < front_.size(); ++i) {
+    const cv::Point cell = front_[i];
+    num_near += near_.at(cell.x, cell.y) == kNearSeeds ? 1 : 0;
+    num_far += near_.at(cell.x, cell.y) == kFarFromSeeds ? 1 : 0;
     for (const cv::Point& step : kSteps) {
       const cv::Point next = cell + step;
       if (!cv::Rect({0, 0}, cells.size()).contains(next)) continue;
@@ -221,6 +233,10 @@ void BackgroundSurfaces::Spread(const Plane& plane, const CellGrid& cells,
       front_.push_back(next);
     }
   }
+  const double near_share = static_cast<double>(num_near) /
+                            static_cast<double>(std::max<std::size_t>(1, num_near + num_far));
+  if (near_share > config_.max_near_share) return;
+  for (const cv::Point& cell : front_) background.at(cell.x, cell.y) = 1;
 }
 
 }  // namespace posefusion

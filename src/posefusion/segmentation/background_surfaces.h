@@ -51,7 +51,8 @@ class BackgroundSurfaces {
   std::vector<Eigen::Vector3f> points_;  ///< of cells far from every seed
   Grid<Eigen::Vector3f> normals_;        ///< of all cells; zero where there is none
   std::vector<cv::Point> places_;        ///< of the same
-  std::vector<cv::Point> front_;         ///< cells to spread from
+  std::vector<cv::Point> front_;         ///< cells that a plane has spread to
+  Grid<std::uint8_t> near_;
   Grid<std::uint8_t> reached_;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tuple>
 
 #include "posefusion/segmentation/depth_layers.h"
 #include "posefusion/segmentation/pixel_rays.h"
@@ -129,23 +130,36 @@ class Lifting {
     return (from->p_camera - to->p_camera).norm() > limit;
   }
 
-  /// Drops joints until no bone is longer than a body's: first those that make most bones too long,
-  /// of these the one farthest from the depth of the body.
+  /// What the bones say of a joint.
+  struct Fit {
+    int too_long = 0;
+    int fitting = 0;
+  };
+
+  std::array<Fit, kNumCocoJoints> FitOfBones() const {
+    std::array<Fit, kNumCocoJoints> fits{};
+    for (std::size_t bone = 0; bone < kBones.size(); ++bone) {
+      const auto [from, to] = kBones[bone];
+      if (!joints_[from] || !joints_[to]) continue;
+      for (const CocoJoint joint : {from, to}) {
+        ++(IsTooLong(bone) ? fits[joint].too_long : fits[joint].fitting);
+      }
+    }
+    return fits;
+  }
+
+  /// Drops joints until no bone is longer than a body's: first those with most bones too long, of
+  /// these the one with fewest others, of these the one farthest from the depth of the body.
   void DropFarJoints() {
     for (;;) {
-      std::array<int, kNumCocoJoints> complaints{};
-      for (std::size_t bone = 0; bone < kBones.size(); ++bone) {
-        if (!IsTooLong(bone)) continue;
-        ++complaints[kBones[bone].from];
-        ++complaints[kBones[bone].to];
-      }
+      const auto fits = FitOfBones();
+      const auto badness = [&](std::size_t i) {
+        return std::make_tuple(fits[i].too_long, -fits[i].fitting, DepthError(i));
+      };
       std::size_t worst = kNumCocoJoints;
       for (std::size_t i = 0; i < kNumCocoJoints; ++i) {
-        if (complaints[i] == 0) continue;
-        if (worst == kNumCocoJoints || complaints[i] > complaints[worst] ||
-            (complaints[i] == complaints[worst] && DepthError(i) > DepthError(worst))) {
-          worst = i;
-        }
+        if (fits[i].too_long == 0) continue;
+        if (worst == kNumCocoJoints || badness(i) > badness(worst)) worst = i;
       }
       if (worst == kNumCocoJoints) return;
       joints_[worst].reset();
