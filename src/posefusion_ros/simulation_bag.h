@@ -9,8 +9,8 @@
 namespace posefusion {
 
 /// Writes a simulated run into a rosbag as a robot would record it: frames as BagWriter does,
-/// /imu, and for a robot /odom, /joint_states and /tf (odom -> BODY -> ... -> camera), each with
-/// its own stamp. Not thread-safe. Without Close nothing is left.
+/// keypoints on /skeletons_in, /imu, and for a robot /odom, /joint_states and /tf (odom -> BODY ->
+/// ... -> camera), each with its own stamp. Not thread-safe. Without Close nothing is left.
 class SimulationBag {
  public:
   /// @throws std::runtime_error naming a path that cannot be written.
@@ -18,6 +18,9 @@ class SimulationBag {
 
   /// Frames come in their order. @throws std::runtime_error naming the bag.
   void Write(const RgbdFrame& frame);
+
+  /// Keypoints of a frame; played when they arrive. @throws std::runtime_error naming the bag.
+  void Write(const Skeletons& skeletons) { writer_.Write(skeletons); }
 
   /// @throws std::runtime_error naming the bag.
   void Close();
