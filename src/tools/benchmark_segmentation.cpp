@@ -21,7 +21,9 @@ const Input& FirstFrame() {
     config.seconds = 1;
     pf::Simulator simulator(pf::CheckedConfig(config), 2);
     const auto frame = simulator.Next();
-    return Input{frame->frame, {0, {}, pf::PerfectKeypoints(frame->people)}};
+    pf::Skeletons skeletons;
+    skeletons.people = pf::PerfectKeypoints(frame->people);
+    return Input{frame->frame, skeletons};
   }();
   return input;
 }

@@ -78,7 +78,8 @@ std::string ReportJson(const OfflineRun& run, const SystemConfig& config) {
                       {"dropped_blur", run.Count(FrameState::kDroppedBlur)},
                       {"tracked", run.Count(FrameState::kTracked)},
                       {"lost", run.Count(FrameState::kLost)},
-                      {"unreadable", run.errors.size()}};
+                      {"unreadable", run.num_bad_frames}};
+  report["keypoints"] = {{"arrived", run.num_keypoints}};
   report["keyframes"] = 0;
   report["loops"] = {{"local", 0}, {"global", 0}};
   report["relocalisations"] = 0;

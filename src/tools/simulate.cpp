@@ -7,6 +7,7 @@
 #include <string>
 
 #include "posefusion/simulation/folder_writer.h"
+#include "posefusion/simulation/sim_keypoints.h"
 #include "posefusion/simulation/simulator.h"
 #include "posefusion_ros/simulation_bag.h"
 #include "tools/interrupt.h"
@@ -42,7 +43,7 @@ void AddOptions(CLI::App& app, Arguments& arguments) {
   app.add_option("--humans", config.humans, "people, 0 to 6")->capture_default_str();
   app.add_option("--seed", config.seed, "of everything random")->capture_default_str();
   app.add_option("--seconds", config.seconds, "duration (default: as long as the preset takes)")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(pf::kMinSimulationSeconds, pf::kMaxSimulationSeconds));
   app.add_option("--keypoint-rate", config.keypoint_timing.rate_hz,
                  "keypoints per second (default: every frame)")
       ->check(CLI::Range(0.1, 30.0));
@@ -69,7 +70,10 @@ bool Simulate(const Arguments& arguments) {
   while (const auto frame = simulator.Next()) {
     if (pf::interrupted) return false;
     folder.Write(*frame, simulator);
-    if (bag) bag->Write(frame->frame);
+    if (bag) {
+      bag->Write(frame->frame);
+      if (const auto keypoints = pf::KeypointsAsWritten(*frame, simulator)) bag->Write(*keypoints);
+    }
     progress.Update(frame->index + 1);
   }
   progress.Finish();

@@ -9,6 +9,7 @@
 #include "posefusion/image/blur_filter.h"
 #include "posefusion/pipeline/slam_config.h"
 #include "posefusion/segmentation/human_removal_config.h"
+#include "posefusion/skeleton/pose_network_config.h"
 
 namespace posefusion {
 namespace {
@@ -57,7 +58,8 @@ TEST_P(ConfigFilesTest, ShowsEveryKeyWithItsDefault) {
 INSTANTIATE_TEST_SUITE_P(All, ConfigFilesTest,
                          testing::Values(FileOf<BlurFilterConfig>("blur_filter.yaml"),
                                          FileOf<HumanRemovalConfig>("human_removal.yaml"),
-                                         FileOf<SlamConfig>("mapping.yaml")));
+                                         FileOf<SlamConfig>("mapping.yaml"),
+                                         FileOf<PoseNetworkConfig>("pose_network.yaml")));
 
 }  // namespace
 }  // namespace posefusion

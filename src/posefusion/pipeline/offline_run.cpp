@@ -17,8 +17,11 @@ class Runner {
   Runner(const SystemConfig& config, int num_threads, OfflineRun& run)
       : blur_filter_(config.blur_filter), slam_(config.mapping, num_threads), run_(run) {}
 
-  void Process(const RgbdFrame& frame) {
+  /// `arrived` are the keypoints that became known since the frame before; they may be of earlier
+  /// frames.
+  void Process(const RgbdFrame& frame, const std::vector<Skeletons>& arrived) {
     clock_.Clear();
+    run_.num_keypoints += static_cast<int>(arrived.size());
     if (IsBlurred(frame)) {
       Record(frame.stamp_ns, FrameState::kDroppedBlur, clock_.times());
       return;
@@ -60,6 +63,11 @@ class Runner {
   OfflineRun& run_;
 };
 
+void ReportError(const std::string& text, const OfflineRunHooks& hooks, OfflineRun& run) {
+  run.errors.push_back(text);
+  hooks.on_error(text);
+}
+
 /// The next frame; errors are reported and skipped.
 std::optional<RgbdFrame> NextGood(FrameSource& source, const OfflineRunHooks& hooks,
                                   OfflineRun& run) {
@@ -67,11 +75,25 @@ std::optional<RgbdFrame> NextGood(FrameSource& source, const OfflineRunHooks& ho
     try {
       return source.Next();
     } catch (const std::exception& error) {
-      run.errors.emplace_back(error.what());
-      hooks.on_error(error.what());
+      ++run.num_bad_frames;
+      ReportError(error.what(), hooks, run);
     }
   }
   return std::nullopt;
+}
+
+/// The keypoints that are known by the time of the frame and have not been before; errors are
+/// reported.
+std::vector<Skeletons> ArrivedBy(const RgbdFrame& frame, SkeletonSource* skeletons,
+                                 const OfflineRunHooks& hooks, OfflineRun& run) {
+  if (skeletons == nullptr) return {};
+  try {
+    skeletons->Offer(frame);
+  } catch (const std::exception& error) {
+    ReportError(error.what(), hooks, run);
+  }
+  for (const std::string& note : skeletons->TakeNotes()) hooks.on_note(note);
+  return skeletons->Take(frame.stamp_ns);
 }
 
 }  // namespace
@@ -95,17 +117,18 @@ int OfflineRun::Count(FrameState state) const {
 }
 
 OfflineRun RunOffline(FrameSource& source, const SystemConfig& config, int num_threads,
-                      const OfflineRunHooks& hooks) {
+                      const OfflineRunHooks& hooks, SkeletonSource* skeletons) {
   CheckRanges("", config);
   const auto start = std::chrono::steady_clock::now();
   OfflineRun run;
   Runner runner(config, num_threads, run);
   while (const auto frame = NextGood(source, hooks, run)) {
+    const std::vector<Skeletons> arrived = ArrivedBy(*frame, skeletons, hooks, run);
     try {
-      runner.Process(*frame);
+      runner.Process(*frame, arrived);
     } catch (const std::exception& error) {
-      run.errors.emplace_back(error.what());
-      hooks.on_error(error.what());
+      ++run.num_bad_frames;
+      ReportError(error.what(), hooks, run);
     }
     hooks.on_frame(static_cast<int>(run.frames.size()));
   }

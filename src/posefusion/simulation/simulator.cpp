@@ -51,6 +51,7 @@ std::optional<SimulatedFrame> Simulator::Next() {
   SensorFrame captured = sensor_.Capture(*mover_.head, result.time_s,
                                          SimulationTime(depth_stamp_ns), result.index, runner_);
   result.frame = std::move(captured.frame);
+  result.frame.index = result.index;
   result.frame.stamp_ns = stamp_ns;
   result.frame.depth_stamp_ns = depth_stamp_ns;
   result.frame.depth_m =
@@ -84,7 +85,8 @@ cv::Mat QuantizeDepth(const cv::Mat& depth_m) {
     for (int u = 0; u < depth_m.cols; ++u) {
       const float value = metres[u] * kScale;
       const bool usable = value > 0 && value <= kMax;
-      units[u] = usable ? static_cast<std::uint16_t>(std::lround(value)) : std::uint16_t{0};
+      // Half up by hand: std::lround is a call for every pixel.
+      units[u] = static_cast<std::uint16_t>(usable ? static_cast<int>(value + 0.5F) : 0);
     }
   }
   return raw;
