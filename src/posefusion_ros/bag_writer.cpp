@@ -71,8 +71,8 @@ void BagWriter::Write(const Skeletons& skeletons) {
   header.frame_id = state_->camera_frame;
   header.stamp = ToRosTime(skeletons.stamp_ns);
   state_->Guarded([&] {
-    state_->bag.write(std::string("/") + kSkeletonsInTopic, ToRosTime(skeletons.arrival_ns),
-                      ToSkeletonsMessage(skeletons, header));
+    state_->bag->write(std::string("/") + kSkeletonsInTopic, ToRosTime(skeletons.arrival_ns),
+                       ToSkeletonsMessage(skeletons, header));
   });
 }
 

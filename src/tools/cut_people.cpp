@@ -53,10 +53,10 @@ void WriteImage(const cv::Mat& image, const std::string& path) {
   pf::WriteFileAtomically(path, std::string(bytes.begin(), bytes.end()));
 }
 
-void WriteOverlay(const pf::RgbdFrame& frame, const cv::Mat& mask,
-                  const std::vector<pf::PersonSeeds>& people, const std::string& path) {
+void WriteOverlay(const pf::RgbdFrame& frame, const cv::Mat& mask, const pf::PersonCutter& cutter,
+                  const std::string& path) {
   cv::Mat picture;
-  cv::cvtColor(pf::DrawMask(frame.rgb, mask, people), picture, cv::COLOR_RGB2BGR);
+  cv::cvtColor(pf::DrawCut(frame.rgb, mask, cutter), picture, cv::COLOR_RGB2BGR);
   WriteImage(picture, path);
 }
 
@@ -90,7 +90,7 @@ void Run(const Arguments& arguments) {
     times_ms.push_back(time.count());
     WriteImage(mask, arguments.out + "/masks/" + name + ".png");
     if (!arguments.overlays) continue;
-    WriteOverlay(*frame, mask, cutter.people(), arguments.out + "/overlays/" + name + ".jpg");
+    WriteOverlay(*frame, mask, cutter, arguments.out + "/overlays/" + name + ".jpg");
   }
   PrintTimes(times_ms);
 }

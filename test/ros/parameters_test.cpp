@@ -77,7 +77,8 @@ TEST(Parameters, ShippedBlurFilterFileHoldsEveryKeyWithItsDefault) {
 }
 
 TEST(Parameters, ShippedSkeletonIngestFileHoldsEveryKeyWithItsDefault) {
-  const YAML::Node node = LoadYamlFile(kConfigDir + "/skeleton_ingest.yaml");
+  YAML::Node node = LoadYamlFile(kConfigDir + "/skeleton_ingest.yaml");
+  node["network"] = LoadYamlFile(kConfigDir + "/pose_network.yaml");
   SkeletonIngestConfig config;
   ApplyYaml(node, "skeleton_ingest", config);
   EXPECT_EQ(Text(config), Text(SkeletonIngestConfig()));

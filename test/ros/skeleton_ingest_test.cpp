@@ -4,12 +4,16 @@
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
 #include "posefusion_ros/conversions.h"
 #include "posefusion_ros/skeleton_conversions.h"
 #include "posefusion_ros/topic_names.h"
 #include "test/ros/recorder.h"
 #include "test/skeleton/sample_skeletons.h"
 #include "test/support/temporary_folder.h"
+#include "test/support/test_data.h"
 
 namespace posefusion {
 namespace {
@@ -127,11 +131,33 @@ TEST_F(SkeletonIngest, TopicIsCheckedAndGoesOnAfterBadMessages) {
   EXPECT_EQ(skeletons_.messages()[1]->layout, "coco18");
 }
 
+TEST_F(SkeletonIngest, NetworkFindsPeopleInSharpImages) {
+  SKIP_WITHOUT_DATA("../models/tfpose_mobilenet_v2_small_cv_432x368.pb");
+  ros::param::set(std::string(kName) + "/network/model",
+                  DataPath("../models/tfpose_mobilenet_v2_small_cv_432x368.pb"));
+  ros::Publisher sharp = node_.advertise<sensor_msgs::Image>(kSharpRgbTopic, 10);
+  ASSERT_TRUE(Load("network"));
+  ASSERT_TRUE(WaitForReader(sharp));
+  cv::Mat rgb;
+  cv::cvtColor(cv::imread(DataPath("../models/test_p1.jpg")), rgb, cv::COLOR_BGR2RGB);
+  std_msgs::Header header;
+  header.stamp = ros::Time(7);
+  header.frame_id = "camera";
+  sharp.publish(ToRgb8Message(rgb, header));
+  ASSERT_TRUE(skeletons_.WaitForSize(1));
+  EXPECT_EQ(Seconds(), (std::vector<int>{7}));
+  EXPECT_EQ(skeletons_.messages()[0]->people.size(), 1U);
+  EXPECT_EQ(skeletons_.messages()[0]->header.frame_id, "camera");
+}
+
 TEST_F(SkeletonIngest, RefusesToStartWithoutAFolder) {
   EXPECT_FALSE(Load("folder")) << "none given";
   ros::param::set(std::string(kName) + "/folder", "/nonexistent/keypoints");
   EXPECT_FALSE(Load("folder"));
   EXPECT_FALSE(Load("nonsense"));
+  EXPECT_FALSE(Load("network")) << "no model";
+  ros::param::set(std::string(kName) + "/network/model", "/nonexistent/graph.pb");
+  EXPECT_FALSE(Load("network"));
 }
 
 TEST_F(SkeletonIngest, NoneIsQuiet) {

@@ -163,7 +163,7 @@ TEST_F(RunDataset, KeypointsBesideTheImagesAreUsedUnlessNoneAreWanted) {
   EXPECT_EQ(arrived(""), kFrames);
   EXPECT_EQ(arrived("--keypoints none"), 0);
   EXPECT_EQ(arrived("--keypoint-rate 15"), kFrames / 2);
-  EXPECT_EQ(arrived("--keypoint-delay 0.1"), kFrames - 3);
+  EXPECT_EQ(arrived("--keypoint-delay 0.09"), kFrames - 3);
   std::filesystem::rename(folder_ / "data/keypoints", folder_ / "elsewhere");
   EXPECT_EQ(arrived(""), 0);
   EXPECT_EQ(arrived("--keypoints " + (folder_ / "elsewhere")), kFrames);

@@ -9,6 +9,11 @@
 namespace posefusion {
 namespace {
 
+/// What is known of cells; most are not looked at.
+constexpr std::uint8_t kUnknown = 0;
+constexpr std::uint8_t kNearSeeds = 1;
+constexpr std::uint8_t kFarFromSeeds = 2;
+
 constexpr int kSparse = 2;              ///< of so many cells in each direction one is looked at
 constexpr int kNormalReach = 2;         ///< cells
 constexpr int kReachCells = 10;         ///< a plane is made of cells so close together
@@ -32,9 +37,13 @@ void BackgroundSurfaces::Find(const CellGrid& cells, const std::vector<Eigen::Ve
   for (int i = 0; i < config_.max_planes && points_.size() >= kMinPoints; ++i) {
     Plane plane = BestPlane(cells);
     Refit(plane);
-    if (AreaOn(plane, kSparse * cells.size_at_1m()) < config_.min_area_m2) return;
+    const double area_m2 = AreaOn(plane, kSparse * cells.size_at_1m());
     TakeFrom(plane, cells);
-    Spread(plane, cells, background);
+    if (area_m2 >= config_.min_broken_area_m2) {
+      TakeAll(plane, cells, background);
+    } else if (area_m2 >= config_.min_area_m2) {
+      Spread(plane, cells, background);
+    }
   }
 }
 
@@ -62,12 +71,16 @@ void BackgroundSurfaces::CollectCandidates(const CellGrid& cells,
                                            const std::vector<Eigen::Vector3f>& seeds) {
   points_.clear();
   places_.clear();
+  near_.Resize(cells.width(), cells.height());
+  near_.Fill(kUnknown);
   const SeedDistance distance(seeds);
   const auto far = static_cast<float>(config_.min_skeleton_distance_m);
   for (int y = 0; y < cells.height(); y += kSparse) {
     for (int x = 0; x < cells.width(); x += kSparse) {
       const Eigen::Vector3f point = cells.PointAt(x, y);
-      if (point.z() <= 0 || distance.IsWithin(point, far)) continue;
+      if (point.z() <= 0) continue;
+      near_.at(x, y) = distance.IsWithin(point, far) ? kNearSeeds : kFarFromSeeds;
+      if (near_.at(x, y) == kNearSeeds) continue;
       points_.push_back(point);
       places_.emplace_back(x, y);
     }
@@ -100,26 +113,27 @@ bool BackgroundSurfaces::PlaneAround(const CellGrid& cells, int candidate, Plane
 
 BackgroundSurfaces::Plane BackgroundSurfaces::BestPlane(const CellGrid& cells) {
   Plane best;
-  int best_count = 0;
-  const int step = std::max(1, static_cast<int>(points_.size()) / kScoreSamples);
+  float best_score = 0;
+  const std::size_t step = std::max<std::size_t>(1, points_.size() / kScoreSamples);
   for (int i = 0; i < config_.num_samples; ++i) {
     Plane plane;
     if (!PlaneAround(cells, Random(static_cast<int>(points_.size())), plane)) continue;
-    const int count = CountOn(plane, step);
-    if (count > best_count) {
-      best_count = count;
+    const float score = ScoreOf(plane, step);
+    if (score > best_score) {
+      best_score = score;
       best = plane;
     }
   }
   return best;
 }
 
-int BackgroundSurfaces::CountOn(const Plane& plane, int step) const {
-  int count = 0;
-  for (std::size_t i = 0; i < points_.size(); i += static_cast<std::size_t>(step)) {
-    count += IsOn(plane, points_[i], NormalOf(i)) ? 1 : 0;
+/// Grows with the area on the plane: a cell covers more where it is farther.
+float BackgroundSurfaces::ScoreOf(const Plane& plane, std::size_t step) const {
+  float score = 0;
+  for (std::size_t i = 0; i < points_.size(); i += step) {
+    if (IsOn(plane, points_[i], NormalOf(i))) score += points_[i].z() * points_[i].z();
   }
-  return count;
+  return score;
 }
 
 /// Area of the candidates on the plane, m^2; 0 when they are too few.
@@ -188,13 +202,27 @@ void BackgroundSurfaces::TakeFrom(const Plane& plane, const CellGrid& cells) {
   places_.resize(kept);
 }
 
+/// Every cell on the plane: arms on a table cut parts of it off.
+void BackgroundSurfaces::TakeAll(const Plane& plane, const CellGrid& cells,
+                                 Grid<std::uint8_t>& background) const {
+  for (int y = 0; y < cells.height(); ++y) {
+    for (int x = 0; x < cells.width(); ++x) {
+      const Eigen::Vector3f point = cells.PointAt(x, y);
+      if (point.z() > 0 && IsOn(plane, point, normals_.at(x, y))) background.at(x, y) = 1;
+    }
+  }
+}
+
+/// A body close to the camera has flat places too; they lie around its seeds.
 void BackgroundSurfaces::Spread(const Plane& plane, const CellGrid& cells,
                                 Grid<std::uint8_t>& background) {
   const cv::Point kSteps[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
-  while (!front_.empty()) {
-    const cv::Point cell = front_.back();
-    front_.pop_back();
-    background.at(cell.x, cell.y) = 1;
+  std::size_t num_near = 0;
+  std::size_t num_far = 0;
+  for (std::size_t i = 0; i < front_.size(); ++i) {
+    const cv::Point cell = front_[i];
+    num_near += near_.at(cell.x, cell.y) == kNearSeeds ? 1 : 0;
+    num_far += near_.at(cell.x, cell.y) == kFarFromSeeds ? 1 : 0;
     for (const cv::Point& step : kSteps) {
       const cv::Point next = cell + step;
       if (!cv::Rect({0, 0}, cells.size()).contains(next)) continue;
@@ -205,6 +233,10 @@ void BackgroundSurfaces::Spread(const Plane& plane, const CellGrid& cells,
       front_.push_back(next);
     }
   }
+  const double near_share = static_cast<double>(num_near) /
+                            static_cast<double>(std::max<std::size_t>(1, num_near + num_far));
+  if (near_share > config_.max_near_share) return;
+  for (const cv::Point& cell : front_) background.at(cell.x, cell.y) = 1;
 }
 
 }  // namespace posefusion

@@ -18,7 +18,7 @@ class BackgroundSurfaces {
   explicit BackgroundSurfaces(const BackgroundSurfacesConfig& config);
 
   /// `background` becomes the size of the cells, 1 where a cell lies on such a plane and is
-  /// connected on it with cells far from every seed, 0 elsewhere.
+  /// connected on it with cells far from every seed (on large planes: anywhere), 0 elsewhere.
   void Find(const CellGrid& cells, const std::vector<Eigen::Vector3f>& seeds,
             Grid<std::uint8_t>& background);
 
@@ -32,11 +32,12 @@ class BackgroundSurfaces {
   void CollectCandidates(const CellGrid& cells, const std::vector<Eigen::Vector3f>& seeds);
   Plane BestPlane(const CellGrid& cells);
   bool PlaneAround(const CellGrid& cells, int candidate, Plane& plane);
-  int CountOn(const Plane& plane, int step) const;
+  float ScoreOf(const Plane& plane, std::size_t step) const;
   double AreaOn(const Plane& plane, double cell_size_at_1m) const;
   void Refit(Plane& plane) const;
   bool IsOn(const Plane& plane, const Eigen::Vector3f& point, const Eigen::Vector3f& normal) const;
   void TakeFrom(const Plane& plane, const CellGrid& cells);
+  void TakeAll(const Plane& plane, const CellGrid& cells, Grid<std::uint8_t>& background) const;
   void Spread(const Plane& plane, const CellGrid& cells, Grid<std::uint8_t>& background);
   int Random(int end);
   const Eigen::Vector3f& NormalOf(std::size_t candidate) const {
@@ -50,7 +51,8 @@ class BackgroundSurfaces {
   std::vector<Eigen::Vector3f> points_;  ///< of cells far from every seed
   Grid<Eigen::Vector3f> normals_;        ///< of all cells; zero where there is none
   std::vector<cv::Point> places_;        ///< of the same
-  std::vector<cv::Point> front_;         ///< cells to spread from
+  std::vector<cv::Point> front_;         ///< cells that a plane has spread to
+  Grid<std::uint8_t> near_;
   Grid<std::uint8_t> reached_;
 };
 

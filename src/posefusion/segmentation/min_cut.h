@@ -9,6 +9,7 @@
 
 #include "posefusion/image/grid.h"
 #include "posefusion/segmentation/cell_grid.h"
+#include "posefusion/segmentation/unseen_part.h"
 
 namespace posefusion {
 
@@ -30,8 +31,8 @@ struct MinCutConfig {
   double sigma_m = 0.25;       ///< sigma of equation 2
   double source_weight = 0.8;  ///< cost of calling a point background (PCL's default)
   PenaltyDistance penalty_distance = PenaltyDistance::kSpace;
-  double max_penalty = 0.85;        ///< grid: equation 3 stops growing here (own extension) ...
-  double reach_m = 0.6;             ///< ... and goes on this far from all seeds
+  double max_penalty = 0.82;        ///< grid: equation 3 stops growing here (own extension) ...
+  double reach_m = 0.35;            ///< ... and goes on this far from all seeds
   double depth_gap_sigma_m = 0.05;  ///< grid: edges over depth gaps cost less (own extension)
   double spacing_m = 0.015;  ///< grid: cells so far apart weigh equations 2 and 3 as they stand
   int pcl_neighbours = 14;   ///< pcl: edges of a point (PCL's default)
@@ -65,6 +66,7 @@ struct CutProblem {
   cv::Rect region;                         ///< of the cells; not empty
   Grid<CellState> states;                  ///< of the region
   std::vector<Eigen::Vector3f> seeds;      ///< foreground points, camera frame
+  std::vector<UnseenPart> unseen_parts;    ///< equation 3 does not go on inside these (`grid`)
   std::optional<Eigen::Vector3f> gravity;  ///< unit vector downwards, camera frame
   double radius_m = 0;                     ///< r of equation 3
   double source_weight = 0;                ///< cost of calling a free cell background

@@ -21,6 +21,17 @@ const cv::Point kNeighbours[] = {{1, 0}, {-1, 1}, {0, 1}, {1, 1}};
 
 int Scaled(float weight) { return static_cast<int>(std::lround(weight * kWeightScale)); }
 
+/// How far a point lies beyond the reach of all seeds and unseen parts, metres.
+float BeyondReach(const Eigen::Vector3f& p_camera, float distance_m, float reach_m,
+                  const std::vector<UnseenPart>& parts) {
+  float beyond = distance_m - reach_m;
+  for (const UnseenPart& part : parts) {
+    if (beyond <= 0) return 0;
+    beyond = std::min(beyond, (part.p_camera - p_camera).norm() - part.radius_m);
+  }
+  return std::max(beyond, 0.0F);
+}
+
 }  // namespace
 
 MinCutGrid::MinCutGrid(const MinCutConfig& config) : config_(config) {}
@@ -49,11 +60,10 @@ int MinCutGrid::SmoothnessWeight(const Eigen::Vector3f& a, const Eigen::Vector3f
   return Scaled(std::exp(-exponent));
 }
 
-/// Equation 3, level between the limit and reach_m.
-float MinCutGrid::Penalty(float distance_m, double radius_m) const {
+/// Equation 3, level between the limit and the end of the reach.
+float MinCutGrid::Penalty(float distance_m, float beyond_m, double radius_m) const {
   const auto radius = static_cast<float>(radius_m);
-  const float beyond = std::max(distance_m - static_cast<float>(config_.reach_m), 0.0F);
-  return std::min(distance_m / radius, static_cast<float>(config_.max_penalty)) + beyond / radius;
+  return std::min(distance_m / radius, static_cast<float>(config_.max_penalty)) + beyond_m / radius;
 }
 
 void MinCutGrid::Solve(const CutProblem& problem, cv::Mat& person) {
@@ -82,7 +92,9 @@ void MinCutGrid::Solve(const CutProblem& problem, cv::Mat& person) {
     const CellState state = problem.states.at(places_[i].x, places_[i].y);
     if (state == CellState::kFree) {
       const float metres = std::sqrt(distance.Squared(in_penalty_frame(points_[i])));
-      const float penalty = Penalty(metres, problem.radius_m);
+      const float beyond = BeyondReach(points_[i], metres, static_cast<float>(config_.reach_m),
+                                       problem.unseen_parts);
+      const float penalty = Penalty(metres, beyond, problem.radius_m);
       const float scale = cell_per_spacing * points_[i].z();
       graph.addTermWeights(vertex, Scaled(scale * source_weight), Scaled(scale * penalty));
     } else {

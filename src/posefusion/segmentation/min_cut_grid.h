@@ -20,7 +20,7 @@ class MinCutGrid : public MinCut {
 
  private:
   void AddVertices(const CutProblem& problem);
-  float Penalty(float distance_m, double radius_m) const;
+  float Penalty(float distance_m, float beyond_m, double radius_m) const;
   int SmoothnessWeight(const Eigen::Vector3f& a, const Eigen::Vector3f& b) const;
 
   const MinCutConfig config_;

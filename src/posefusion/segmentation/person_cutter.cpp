@@ -97,6 +97,7 @@ struct PersonCutter::Parts {
     problem.source_weight = config.min_cut.source_weight;
     problem.seeds.clear();
     for (const Seed& seed : kept.seeds) problem.seeds.push_back(seed.p_camera);
+    problem.unseen_parts = person.unseen_parts;
     return true;
   }
 
@@ -119,7 +120,7 @@ struct PersonCutter::Parts {
     for (const auto* persons : {&people, &carried}) {
       for (const PersonSeeds& person : *persons) {
         for (const Seed& seed : person.seeds) seeds.push_back(seed.p_camera);
-        seeds.insert(seeds.end(), person.guards.begin(), person.guards.end());
+        for (const UnseenPart& part : person.unseen_parts) seeds.push_back(part.p_camera);
       }
     }
     surfaces.Find(cells, seeds, background);
@@ -226,6 +227,7 @@ cv::Size PersonCutter::CellSize(const RgbdFrame& frame) const {
 }
 
 const CellGrid& PersonCutter::cells() const { return parts_->cells; }
+const Grid<std::uint8_t>& PersonCutter::background_cells() const { return parts_->background; }
 const cv::Mat& PersonCutter::cell_mask() const { return parts_->cell_mask; }
 const std::vector<cv::Mat>& PersonCutter::cuts() const { return parts_->cuts; }
 const std::vector<PersonSeeds>& PersonCutter::people() const { return parts_->people; }

@@ -53,6 +53,7 @@ class PersonCutter {
   /// Of the last frame cut: cells with their depth, the union of the cuts at their resolution
   /// (CV_8UC1, 255 = person), and the people of the skeletons with their seeds, in their order.
   const CellGrid& cells() const;
+  const Grid<std::uint8_t>& background_cells() const;  ///< 1 = on a surface that is no person's
   const cv::Mat& cell_mask() const;
   const std::vector<PersonSeeds>& people() const;
 

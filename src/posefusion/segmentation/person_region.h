@@ -10,7 +10,7 @@ namespace posefusion {
 struct PersonRegionConfig {
   double margin_m = 0.4;        ///< the region reaches so far beyond the joints
   double missing_part_m = 0.5;  ///< and so much further where head, knees or ankles are missing
-  double depth_before_m = 0.5;  ///< from the nearest seed towards the camera
+  double depth_before_m = 0.9;  ///< from the nearest seed towards the camera
   double depth_behind_m = 0.5;  ///< from the farthest seed away from the camera
 };
 

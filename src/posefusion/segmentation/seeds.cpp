@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tuple>
 
 #include "posefusion/segmentation/depth_layers.h"
 #include "posefusion/segmentation/pixel_rays.h"
@@ -24,6 +25,9 @@ constexpr float kLeastTolerance = 0.3F;
 constexpr int kBoneWindow = 2;        ///< pixels
 constexpr float kTrunkLength = 0.5F;  ///< metres
 constexpr float kLegLength = 0.9F;
+constexpr float kTrunkHalfWidth = 0.4F;
+constexpr float kUpperArm = 0.35F;
+constexpr float kForearm = 0.5F;  ///< and hand
 constexpr float kGuardStep = 0.15F;
 constexpr float kTrunkWeight = 2;  ///< trunk joints say more about where the body is
 
@@ -51,7 +55,7 @@ class Lifting {
     TakeJoints();
     if (config_.seed_along_bones) SeedBones();
     if (config_.seed_extremities) SeedExtremities();
-    GuardMissingParts();
+    FindUnseenParts();
     return result_;
   }
 
@@ -126,23 +130,36 @@ class Lifting {
     return (from->p_camera - to->p_camera).norm() > limit;
   }
 
-  /// Drops joints until no bone is longer than a body's: first those that make most bones too long,
-  /// of these the one farthest from the depth of the body.
+  /// What the bones say of a joint.
+  struct Fit {
+    int too_long = 0;
+    int fitting = 0;
+  };
+
+  std::array<Fit, kNumCocoJoints> FitOfBones() const {
+    std::array<Fit, kNumCocoJoints> fits{};
+    for (std::size_t bone = 0; bone < kBones.size(); ++bone) {
+      const auto [from, to] = kBones[bone];
+      if (!joints_[from] || !joints_[to]) continue;
+      for (const CocoJoint joint : {from, to}) {
+        ++(IsTooLong(bone) ? fits[joint].too_long : fits[joint].fitting);
+      }
+    }
+    return fits;
+  }
+
+  /// Drops joints until no bone is longer than a body's: first those with most bones too long, of
+  /// these the one with fewest others, of these the one farthest from the depth of the body.
   void DropFarJoints() {
     for (;;) {
-      std::array<int, kNumCocoJoints> complaints{};
-      for (std::size_t bone = 0; bone < kBones.size(); ++bone) {
-        if (!IsTooLong(bone)) continue;
-        ++complaints[kBones[bone].from];
-        ++complaints[kBones[bone].to];
-      }
+      const auto fits = FitOfBones();
+      const auto badness = [&](std::size_t i) {
+        return std::make_tuple(fits[i].too_long, -fits[i].fitting, DepthError(i));
+      };
       std::size_t worst = kNumCocoJoints;
       for (std::size_t i = 0; i < kNumCocoJoints; ++i) {
-        if (complaints[i] == 0) continue;
-        if (worst == kNumCocoJoints || complaints[i] > complaints[worst] ||
-            (complaints[i] == complaints[worst] && DepthError(i) > DepthError(worst))) {
-          worst = i;
-        }
+        if (fits[i].too_long == 0) continue;
+        if (worst == kNumCocoJoints || badness(i) > badness(worst)) worst = i;
       }
       if (worst == kNumCocoJoints) return;
       joints_[worst].reset();
@@ -210,19 +227,38 @@ class Lifting {
     }
   }
 
-  /// Points down the image from the lowest part of the trunk or the thighs, where legs are missing.
-  void GuardMissingParts() {
-    const auto has = [&](CocoJoint joint) { return joints_[joint].has_value(); };
-    if (has(kRightAnkle) || has(kLeftAnkle)) return;
+  bool Has(CocoJoint joint) const { return joints_[joint].has_value(); }
+
+  /// Whatever hangs on `joint` may be within a limb's length when `next` was not found.
+  void GuardLimb(CocoJoint joint, CocoJoint next, float length_m) {
+    if (Has(joint) && !Has(next))
+      result_.unseen_parts.push_back({joints_[joint]->p_camera, length_m});
+  }
+
+  void FindUnseenParts() {
+    GuardLimb(kRightShoulder, kRightElbow, kUpperArm + kForearm);
+    GuardLimb(kLeftShoulder, kLeftElbow, kUpperArm + kForearm);
+    GuardLimb(kRightElbow, kRightWrist, kForearm);
+    GuardLimb(kLeftElbow, kLeftWrist, kForearm);
+    GuardLimb(kRightKnee, kRightAnkle, kLegLength / 2);
+    GuardLimb(kLeftKnee, kLeftAnkle, kLegLength / 2);
+    if (!Has(kNeck)) GuardLimb(kRightElbow, kRightShoulder, kTrunkLength);
+    if (!Has(kNeck)) GuardLimb(kLeftElbow, kLeftShoulder, kTrunkLength);
+    GuardLegs();
+  }
+
+  /// Places down the image from the lowest joint, where legs are missing.
+  void GuardLegs() {
+    if (Has(kRightAnkle) || Has(kLeftAnkle)) return;
     float length_m = kTrunkLength + kLegLength;
-    if (has(kRightHip) || has(kLeftHip)) length_m = kLegLength;
-    if (has(kRightKnee) || has(kLeftKnee)) length_m = kLegLength / 2;
+    if (Has(kRightHip) || Has(kLeftHip)) length_m = kLegLength;
+    if (Has(kRightKnee) || Has(kLeftKnee)) length_m = kLegLength / 2;
     Eigen::Vector3f lowest(0, -std::numeric_limits<float>::infinity(), 0);
     for (const auto& joint : joints_) {
       if (joint && joint->p_camera.y() > lowest.y()) lowest = joint->p_camera;
     }
     for (float y = 0; y <= length_m; y += kGuardStep) {
-      result_.guards.emplace_back(lowest.x(), lowest.y() + y, lowest.z());
+      result_.unseen_parts.push_back({{lowest.x(), lowest.y() + y, lowest.z()}, kTrunkHalfWidth});
     }
   }
 

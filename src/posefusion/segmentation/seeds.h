@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "posefusion/image/rgbd_frame.h"
+#include "posefusion/segmentation/unseen_part.h"
 #include "posefusion/skeleton/skeletons.h"
 
 namespace posefusion {
@@ -47,9 +48,10 @@ struct Seed {
 
 /// What is known of a person from keypoints and depth.
 struct PersonSeeds {
-  std::vector<Seed> seeds;              ///< joints first, then points along bones and beyond
-  std::vector<Eigen::Vector3f> guards;  ///< where unseen parts may be: no plane is looked for there
-  int num_joints = 0;                   ///< of the seeds
+  std::vector<Seed> seeds;  ///< joints first, then points along bones and beyond
+  std::vector<UnseenPart>
+      unseen_parts;    ///< limbs may reach these places: no plane is looked for there
+  int num_joints = 0;  ///< of the seeds
   std::array<bool, kNumCocoJoints> found{};  ///< joints that were lifted
   float body_depth_m = 0;                    ///< of most joints; 0 when nothing was lifted
 };
