@@ -13,8 +13,8 @@ namespace posefusion {
 PeopleAtStamp PeopleAt(const World& world, double time_s);
 
 /// Writes what is known about the world into an existing folder:
-///   world.ply              everything that never moves, map frame
-///   moved_objects.txt      start_stamp end_stamp name dx dy dz (metres, map frame)
+///   world.ply              everything that is not moved during the run, map frame
+///   moved_objects.txt      and moved_objects/, what is moved: see moved_objects_file.h
 ///   people_capsules.txt    see people_file.h
 ///   events.txt             falls and full occlusions; no pose is expected during them
 ///   camera.yaml            of all frames
