@@ -39,6 +39,12 @@ struct MovedObject {
   Eigen::Vector3d offset_m;  ///< map frame
 };
 
+/// A time in which somebody is to come into the view of the camera, which lies on the floor.
+struct CameraVisit {
+  double from_s;
+  double to_s;
+};
+
 struct WorldConfig {
   RoomKind room = RoomKind::kLab;
   int humans = 0;       ///< 0 to 6
@@ -49,6 +55,7 @@ struct WorldConfig {
   std::shared_ptr<const HeadMotion> head;
   /// Places on the floor where nobody stands for long (the robot's way when `head` is null).
   std::vector<Eigen::Vector2d> keep_clear;
+  std::vector<CameraVisit> visits;  ///< in order of time; only with `head`
 };
 
 /// Rooms, things and people. Immutable after construction; every time-dependent value is a pure
