@@ -5,9 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
+#include "posefusion/simulation/events.h"
 #include "posefusion/simulation/person_view.h"
-#include "posefusion/simulation/simulation_config.h"
+#include "posefusion/simulation/renderer.h"
+#include "posefusion/simulation/simulator.h"
+#include "test/simulation/turning_head.h"
 
 namespace posefusion {
 namespace {
@@ -54,26 +58,42 @@ TEST(Choreography, SomebodyComesToTheFallenRobot) {
   }
 }
 
-TEST(Choreography, EveryMinuteSomebodyHidesMostOfTheView) {
-  constexpr double kLensToSpine = 0.28;  // nobody walks through the camera
-  double most = 0;
-  for (int seed = 1; seed <= 6; ++seed) {
-    const Rehearsal run("hrp_loop", 2, seed, 120);
-    for (double start_s = 0; start_s < 120; start_s += 60) {
-      double covered = 0;
-      for (double t = start_s; t < start_s + 60; t += kFrameS) {
-        covered = std::max(covered, run.Covered(t, 0.7));
-        for (int i = 0; i < 2; ++i) {
-          const Eigen::Vector3d hips = run.world.PersonAt(i, t).T_map_part[kPelvis].translation();
-          const Eigen::Vector3d camera = run.mover.head->T_map_camera(t).translation();
-          ASSERT_GT((hips - camera).head<2>().norm(), kLensToSpine) << "seed " << seed << " " << t;
-        }
-      }
-      EXPECT_GT(covered, 0.7) << "seed " << seed << " from " << start_s << " s";
-      most = std::max(most, covered);
-    }
+/// Horizontally from the camera to the nearest person's hips.
+double NearestPerson(const Rehearsal& run, double time_s) {
+  const Eigen::Vector3d camera = run.mover.head->T_map_camera(time_s).translation();
+  double nearest = 1e9;
+  for (int i = 0; i < run.world.num_people(); ++i) {
+    const Eigen::Vector3d hips = run.world.PersonAt(i, time_s).T_map_part[kPelvis].translation();
+    nearest = std::min(nearest, (hips - camera).head<2>().norm());
   }
-  EXPECT_GT(most, 0.95) << "at some seeds nothing else is seen";
+  return nearest;
+}
+
+TEST(Choreography, EveryMinuteSomebodyHidesMostOfTheView) {
+  constexpr double kNobodyNearer = 0.29;
+  constexpr double kClose = 0.5;
+  int num_occlusions = 0;
+  for (int seed = 1; seed <= 4; ++seed) {
+    const Rehearsal run("hrp_loop", 2, seed, 120);
+    Renderer renderer(run.world);
+    OcclusionRecorder recorder;
+    std::array<double, 2> least_static = {1, 1};  // by minute
+    for (double t = 0; t < 120; t += kFrameS) {
+      const double nearest = NearestPerson(run, t);
+      ASSERT_GT(nearest, kNobodyNearer) << "seed " << seed << " at " << t << " s";
+      if (nearest > kClose) continue;
+      const View view = renderer.RenderDepth(testing::QuarterCamera(),
+                                             run.mover.head->T_map_camera(t), t, ParallelRunner(2));
+      const double share = StaticShare(view.labels);
+      recorder.Add(SimulationStamp(t), share);
+      double& least = least_static[t < 60 ? 0 : 1];
+      least = std::min(least, share);
+    }
+    EXPECT_LT(least_static[0], 0.3) << "seed " << seed;
+    EXPECT_LT(least_static[1], 0.3) << "seed " << seed;
+    num_occlusions += static_cast<int>(recorder.events().size());
+  }
+  EXPECT_GE(num_occlusions, 2) << "at some seeds hardly anything else is seen";
 }
 
 TEST(CoveredShare, IsThatOfTheProjectedBody) {

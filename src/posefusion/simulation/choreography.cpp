@@ -169,7 +169,8 @@ bool Planner::IsMissed(const CameraVisit& visit, const Script& script) const {
 void Planner::PlanPerson(int person) {
   HashSequence random(static_cast<std::uint32_t>(config_.seed), 500,
                       static_cast<std::uint32_t>(person));
-  const BodyShape shape(static_cast<double>(random.Uniform(1.58F, 1.88F)),
+  // Who passes close by is as tall as the camera's view is high.
+  const BodyShape shape(static_cast<double>(random.Uniform(person == 0 ? 1.72F : 1.58F, 1.88F)),
                         static_cast<double>(random.Uniform(0.92F, 1.12F)));
   Progress progress{Script(stage_), false, {}};
   if (person == 1) {

@@ -7,7 +7,7 @@ namespace posefusion {
 /// How near before the camera somebody passes.
 enum class CrossingKind {
   kNear,   ///< half a metre to a metre
-  kClose,  ///< little more than a third of a metre: the picture shows hardly anything else
+  kClose,  ///< a third of a metre, and stops there: the picture shows hardly anything else
 };
 
 /// Goes to the camera within some seconds and through its picture from one side to the other, as
