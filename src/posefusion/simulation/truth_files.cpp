@@ -4,12 +4,15 @@
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
+#include <stdexcept>
 
 #include "posefusion/common/atomic_file.h"
 #include "posefusion/config/config.h"
 #include "posefusion/dataset/mesh_file.h"
 #include "posefusion/simulation/robot_record.h"
 #include "posefusion/simulation/true_meshes.h"
+#include "posefusion/skeleton/openpose_json.h"
 
 namespace posefusion {
 namespace {
@@ -54,6 +57,17 @@ PeopleAtStamp PeopleAt(const World& world, double time_s) {
     }
   }
   return moment;
+}
+
+void WriteJoints(const std::vector<JointsAtStamp>& joints, const std::string& folder) {
+  const std::string own = folder + "/joints";
+  std::error_code error;
+  std::filesystem::create_directories(own, error);
+  if (error) throw std::runtime_error(own + ": cannot be made: " + error.message());
+  for (const JointsAtStamp& now : joints) {
+    WriteFileAtomically(own + "/" + FormatStamp(now.stamp_ns) + ".json",
+                        ToOpenPoseJson(now.people));
+  }
 }
 
 void WriteWorldFiles(const Simulator& simulator, const std::vector<PeopleAtStamp>& people,
