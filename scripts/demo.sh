@@ -1,19 +1,23 @@
 #!/bin/bash
-# Plays the recorded sequence fr1_xyz through the nodelets as a robot would run them, and leaves
-# map, trajectory, errors and pictures in demo_output/. Called by `make demo` after the build.
+# Simulates a humanoid that walks among people, plays the run through the nodelets as a robot would
+# run them, and leaves map, trajectory, errors and pictures in demo_output/. Called by `make demo`
+# after the build. The simulated run is kept in BUILD_DIR/demo until another one is asked for or
+# the simulator is newer.
 #
 # Usage: scripts/demo.sh [BUILD_DIR]
-#   POSEFUSION_DATA   folder that holds fr1_xyz (default: ../shared/data beside the package)
-#   DEMO_RATE         playing speed (default 1; frames that come too fast wait, none is lost)
+#   DEMO_SECONDS, DEMO_HUMANS, DEMO_SEED   of the simulated run (default 25, 2, 1)
+#   DEMO_RATE   playing speed (default 1; frames that come too fast wait, none is lost)
 set -euo pipefail
 
 root="$(readlink -f "$(dirname "$(readlink -f "$0")")/..")"
 build="$(readlink -f "${1:-$root/build}")"
-data="${POSEFUSION_DATA:-$root/../shared/data}"
-sequence="$data/fr1_xyz"
 output="$root/demo_output"
-bag="$build/demo/fr1_xyz.bag"
+preset=hrp_loop
+seconds="${DEMO_SECONDS:-25}"
+humans="${DEMO_HUMANS:-2}"
+seed="${DEMO_SEED:-1}"
 rate="${DEMO_RATE:-1}"
+tools="$build/devel/lib/posefusion"
 export PATH="/usr/bin:$PATH" # another python first would break ROS
 
 fail() {
@@ -21,15 +25,18 @@ fail() {
   exit 1
 }
 
-[[ -d "$sequence" ]] ||
-  fail "$sequence is absent; set POSEFUSION_DATA to the folder that holds fr1_xyz"
 [[ -f "$build/devel/env.sh" ]] || fail "$build holds no build; run make build"
-tools="$build/devel/lib/posefusion"
+version="$(sed -n 's:^ *<version>\(.*\)</version>:\1:p' "$root/package.xml")"
+run="$build/demo/${preset}_${humans}humans_seed${seed}_${seconds}s_$version"
+bag="$run.bag"
 
 mkdir -p "$output" "$build/demo" || fail "cannot write into $output"
-rm -f "$output"/{trajectory.txt,map.ply,map.png}
-if [[ ! "$bag" -nt "$sequence/rgb.txt" || "$tools/dataset_to_bag" -nt "$bag" ]]; then
-  "$tools/dataset_to_bag" "$sequence" "$bag"
+rm -f "$output"/{trajectory.txt,frames.txt,map.ply,map.png}
+if [[ ! -f "$bag" || ! "$run/simulation.yaml" -nt "$tools/simulate" ]]; then
+  rm -rf "$build/demo"/* # one run takes 2 GB
+  echo "Simulating $seconds s of $preset with $humans people ..."
+  "$tools/simulate" --preset "$preset" --humans "$humans" --seed "$seed" --seconds "$seconds" \
+    --threads "$(nproc)" --out "$run" --bag "$bag" || fail "no run was simulated"
 fi
 
 # A ROS master of our own, so that one that runs already is not disturbed.
@@ -47,8 +54,10 @@ log="$output/roslaunch.log"
 grep -a '^frames:' "$log" || { tail -n 30 "$log" >&2; fail "the run failed, see $log"; }
 [[ -s "$output/trajectory.txt" && -s "$output/map.ply" ]] || fail "no result was saved, see $log"
 
-"$tools/evaluate_trajectory" --groundtruth "$sequence/groundtruth.txt" \
-  --estimate "$output/trajectory.txt" --out "$output"
+grep -v '^#' "$run/rgb.txt" | cut -d ' ' -f 1 > "$output/frames.txt"
+"$tools/evaluate_trajectory" --groundtruth "$run/groundtruth.txt" \
+  --exclude "$run/events.txt" --estimate "$output/trajectory.txt" --out "$output"
+"$tools/evaluate_map" --map "$output/map.ply" --truth "$run" --out "$output"
 python3 "$root/scripts/render_map.py" "$output/map.ply" "$output/map.png" \
   --trajectory "$output/trajectory.txt"
 echo "demo_output/ holds map.ply, map.png, trajectory.txt, the errors and their plots."

@@ -13,8 +13,21 @@ struct BagWriter::State {
   std::string path;
   std::string temporary_path;
   std::string camera_frame;
-  rosbag::Bag bag;
+  std::unique_ptr<rosbag::Bag> bag = std::make_unique<rosbag::Bag>();
   bool complete = false;
+
+  /// Removes what is not complete.
+  ~State() {
+    if (complete) return;
+    try {
+      bag->close();
+    } catch (const std::exception&) {
+      // On a full disk the bag's own destructor would throw once more and end the program.
+      static_cast<void>(bag.release());
+    }
+    std::error_code ignored;
+    std::filesystem::remove(temporary_path, ignored);
+  }
 
   /// Runs a step of writing; its errors name the bag.
   template <class Step>
@@ -32,18 +45,10 @@ BagWriter::BagWriter(const std::string& path, const std::string& camera_frame)
   state_->path = path;
   state_->temporary_path = path + ".tmp";
   state_->camera_frame = camera_frame;
-  state_->Guarded([&] { state_->bag.open(state_->temporary_path, rosbag::bagmode::Write); });
+  state_->Guarded([&] { state_->bag->open(state_->temporary_path, rosbag::bagmode::Write); });
 }
 
-BagWriter::~BagWriter() {
-  if (state_->complete) return;
-  try {
-    state_->bag.close();
-  } catch (const std::exception&) {  // a full disk; the file goes anyway
-  }
-  std::error_code ignored;
-  std::filesystem::remove(state_->temporary_path, ignored);
-}
+BagWriter::~BagWriter() = default;
 
 void BagWriter::Write(const RgbdFrame& frame) {
   std_msgs::Header header;
@@ -51,7 +56,7 @@ void BagWriter::Write(const RgbdFrame& frame) {
   header.stamp = ToRosTime(frame.depth_stamp_ns);
   state_->Guarded([&] {
     const auto write = [&](const char* topic, const auto& message) {
-      state_->bag.write(std::string("/") + topic, message.header.stamp, message);
+      state_->bag->write(std::string("/") + topic, message.header.stamp, message);
     };
     write(kCameraDepthTopic, *ToDepthMessage(frame.depth_m, header));
     header.stamp = ToRosTime(frame.stamp_ns);
@@ -61,12 +66,12 @@ void BagWriter::Write(const RgbdFrame& frame) {
 }
 
 void BagWriter::WriteOther(const std::function<void(rosbag::Bag&)>& write) {
-  state_->Guarded([&] { write(state_->bag); });
+  state_->Guarded([&] { write(*state_->bag); });
 }
 
 void BagWriter::Close() {
   state_->Guarded([&] {
-    state_->bag.close();
+    state_->bag->close();
     std::filesystem::rename(state_->temporary_path, state_->path);
   });
   state_->complete = true;

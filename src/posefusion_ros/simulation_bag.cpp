@@ -15,6 +15,8 @@
 namespace posefusion {
 namespace {
 
+constexpr int kWaitingFrames = 4;
+
 constexpr const char* kOdomTopic = "/odom";
 constexpr const char* kImuTopic = "/imu";
 constexpr const char* kJointTopic = "/joint_states";
@@ -86,14 +88,17 @@ tf2_msgs::TFMessage ToTransforms(const RobotSample& sample) {
 }  // namespace
 
 SimulationBag::SimulationBag(const std::string& path, RobotRecord record)
-    : record_(std::move(record)), writer_(path, kCameraLink) {}
+    : record_(std::move(record)), writer_(path, kCameraLink), thread_(kWaitingFrames) {}
 
 void SimulationBag::Write(const RgbdFrame& frame) {
-  WriteRobotUntil(frame.stamp_ns);
-  writer_.Write(frame);
+  thread_.Add([this, frame] {
+    WriteRobotUntil(frame.stamp_ns);
+    writer_.Write(frame);
+  });
 }
 
 void SimulationBag::Close() {
+  thread_.Finish();
   WriteRobotUntil(std::numeric_limits<StampNs>::max());
   writer_.Close();
 }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 
+#include "posefusion/common/task_thread.h"
 #include "posefusion/simulation/robot_record.h"
 #include "posefusion_ros/bag_writer.h"
 
@@ -16,7 +17,8 @@ class SimulationBag {
   /// @throws std::runtime_error naming a path that cannot be written.
   SimulationBag(const std::string& path, RobotRecord record);
 
-  /// Frames come in their order. @throws std::runtime_error naming the bag.
+  /// Frames come in their order, and their images must stay as they are: a thread of its own writes
+  /// them. @throws std::runtime_error naming the bag, also for an earlier frame.
   void Write(const RgbdFrame& frame);
 
   /// @throws std::runtime_error naming the bag.
@@ -29,6 +31,7 @@ class SimulationBag {
   BagWriter writer_;
   std::size_t next_imu_ = 0;
   std::size_t next_sample_ = 0;
+  TaskThread thread_;  ///< last: ends before the bag goes away
 };
 
 }  // namespace posefusion

@@ -1,4 +1,4 @@
-// Pictures of the simulated world: what the sensor sees at some moments, and the rooms from above.
+// Pictures of a simulated run: what the sensor sees at some moments, and the rooms from above.
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -9,37 +9,28 @@
 
 #include "posefusion/simulation/renderer.h"
 #include "posefusion/simulation/sensor.h"
+#include "posefusion/simulation/simulator.h"
 
 namespace posefusion {
 namespace {
 
-/// Walks around the table and looks across it, nodding.
-class Visitor : public HeadMotion {
- public:
-  Eigen::Isometry3d T_map_camera(double time_s) const override {
-    const double angle = 0.25 * time_s - 2.2;
-    const Eigen::Vector3d position(1.55 * std::cos(angle), 1.25 * std::sin(angle),
-                                   1.35 + 0.015 * std::sin(11 * time_s));
-    const Eigen::Vector3d target(-0.9 * std::cos(angle), -0.9 * std::sin(angle),
-                                 0.9 + 0.1 * std::sin(2 * time_s));
-    return Looking(position, target);
-  }
+constexpr double kDepthDelayS = 0.005;
+constexpr int kJpegQuality = 85;
 
- private:
-  static Eigen::Isometry3d Looking(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-    const Eigen::Vector3d forward = (to - from).normalized();
-    const Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
-    Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-    T.linear() << right, forward.cross(right), forward;
-    T.translation() = from;
-    return T;
-  }
+struct Arguments {
+  SimulationConfig config;
+  std::string out;
+  std::vector<double> moments_s;
+  double step_s = 4;
+  bool jpeg = false;
+  int num_threads = 2;
 };
 
 void Write(const std::string& path, const cv::Mat& rgb) {
   cv::Mat bgr;
   cv::cvtColor(rgb, bgr, cv::COLOR_RGB2BGR);
-  if (!cv::imwrite(path, bgr)) throw std::runtime_error(path + ": cannot be written");
+  if (!cv::imwrite(path, bgr, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality}))
+    throw std::runtime_error(path + ": cannot be written");
 }
 
 cv::Mat Colored(const cv::Mat& radiance) {
@@ -81,53 +72,96 @@ cv::Mat FromAbove(Renderer& renderer, RoomKind room, double time_s, const Parall
   return Colored(renderer.Render(camera, T, time_s, runner, kHeight - 2.4).radiance);
 }
 
-/// All pictures of one moment; prints how much of the view people take, and the motion blur.
-void DrawMoment(const std::string& name, const WorldConfig& config, Renderer& renderer,
-                Sensor& sensor, double time_s, const ParallelRunner& runner) {
-  const SensorFrame frame =
-      sensor.Capture(*config.head, time_s, time_s + 0.005, static_cast<int>(time_s * 30), runner);
-  Write(name + "_color.png", frame.frame.rgb);
-  Write(name + "_depth.png", ColoredDepth(frame.frame.depth_m));
-  Write(name + "_true_depth.png", ColoredDepth(frame.true_depth_m));
-  Write(name + "_labels.png", ColoredLabels(frame.labels));
-  Write(name + "_above.png", FromAbove(renderer, config.room, time_s, runner));
-  const double people = cv::mean(frame.labels >= kLabelPerson)[0] / 255;
-  std::cout << time_s << " s: " << static_cast<int>(100 * people) << " % people, blur "
-            << frame.blur_length_px << " px\n";
+/// Draws moments of a run.
+class Artist {
+ public:
+  explicit Artist(const Arguments& arguments)
+      : arguments_(arguments),
+        config_(CheckedConfig(arguments.config)),
+        mover_(MakeMover(config_)),
+        world_(MakeWorldConfig(config_, mover_)),
+        runner_(arguments.num_threads),
+        renderer_(world_),
+        sensor_(config_.sensor, world_) {}
+
+  /// Those asked for, or one every step.
+  std::vector<double> Moments() const {
+    std::vector<double> moments_s = arguments_.moments_s;
+    for (const double moment_s : moments_s) {
+      if (moment_s >= 0 && moment_s <= config_.seconds) continue;
+      throw std::invalid_argument("--at: the run has no " + std::to_string(moment_s) + " s");
+    }
+    if (!moments_s.empty()) return moments_s;
+    for (double t = 0; t < config_.seconds; t += arguments_.step_s) moments_s.push_back(t);
+    return moments_s;
+  }
+
+  /// All pictures of one moment; prints how much of the view people take, and the motion blur.
+  void Draw(double time_s) {
+    const SensorFrame frame =
+        sensor_.Capture(*mover_.head, time_s, time_s + kDepthDelayS,
+                        static_cast<int>(std::lround(time_s * kFrameRateHz)), runner_);
+    const RoomKind room = FindPreset(config_.preset).room;
+    Save(time_s, "color", frame.frame.rgb);
+    Save(time_s, "depth", ColoredDepth(frame.frame.depth_m));
+    Save(time_s, "true_depth", ColoredDepth(frame.true_depth_m));
+    Save(time_s, "labels", ColoredLabels(frame.labels));
+    Save(time_s, "above", FromAbove(renderer_, room, time_s, runner_));
+    const double people = cv::mean(frame.labels >= kLabelPerson)[0] / 255;
+    std::cout << time_s << " s: " << static_cast<int>(100 * people) << " % people, blur "
+              << frame.blur_length_px << " px\n";
+  }
+
+ private:
+  /// Named by the moment in milliseconds.
+  void Save(double time_s, const std::string& what, const cv::Mat& rgb) const {
+    const std::string moment = std::to_string(std::lround(time_s * 1000));
+    const char* suffix = arguments_.jpeg ? ".jpg" : ".png";
+    Write(arguments_.out + "/" + moment + "_" + what + suffix, rgb);
+  }
+
+  const Arguments& arguments_;
+  SimulationConfig config_;
+  Mover mover_;
+  World world_;
+  ParallelRunner runner_;
+  Renderer renderer_;
+  Sensor sensor_;
+};
+
+void AddOptions(CLI::App& app, Arguments& arguments) {
+  app.add_option("--preset", arguments.config.preset, "as of simulate")->required();
+  app.add_option("--out", arguments.out, "folder for the pictures")->required();
+  app.add_option("--humans", arguments.config.humans, "people, 0 to 6")->capture_default_str();
+  app.add_option("--seed", arguments.config.seed, "of everything random")->capture_default_str();
+  app.add_option("--at", arguments.moments_s, "moments in seconds (default: one every step)")
+      ->delimiter(',');
+  app.add_option("--step", arguments.step_s, "seconds between pictures")
+      ->check(CLI::Range(0.01, 3600.0))
+      ->capture_default_str();
+  app.add_flag("--jpeg", arguments.jpeg, "JPEG instead of PNG");
+  app.add_option("--threads", arguments.num_threads, "threads to use")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
 }
 
 }  // namespace
 }  // namespace posefusion
 
 int main(int argc, char** argv) {
-  using namespace posefusion;
-  CLI::App app("Draws pictures of the simulated world");
-  WorldConfig config;
-  config.humans = 3;
-  config.head = std::make_shared<Visitor>();
-  std::string out;
-  double step_s = 4;
-  bool corridor = false;
-  int threads = 2;
-  app.add_option("--out", out, "folder for the pictures")->required();
-  app.add_option("--humans", config.humans, "number of people");
-  app.add_option("--seed", config.seed, "of everything random");
-  app.add_option("--seconds", config.seconds, "length of the run");
-  app.add_option("--step", step_s, "seconds between pictures");
-  app.add_option("--threads", threads, "threads");
-  app.add_flag("--corridor", corridor, "the corridor instead of the room");
-  CLI11_PARSE(app, argc, argv);
-  if (corridor) config.room = RoomKind::kCorridor;
+  CLI::App app("Draws moments of a simulated run: what the sensor sees, and the rooms from above.");
+  posefusion::Arguments arguments;
+  posefusion::AddOptions(app, arguments);
   try {
-    std::filesystem::create_directories(out);
-    const World world(config);
-    const ParallelRunner runner(threads);
-    Renderer renderer(world);
-    Sensor sensor(SensorConfig{}, world);
-    for (double t = 0; t < config.seconds; t += step_s) {
-      DrawMoment(out + "/" + std::to_string(static_cast<int>(std::lround(t * 10))), config,
-                 renderer, sensor, t, runner);
-    }
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  try {
+    posefusion::Artist artist(arguments);
+    const auto moments_s = artist.Moments();
+    std::filesystem::create_directories(arguments.out);
+    for (const double moment_s : moments_s) artist.Draw(moment_s);
   } catch (const std::exception& error) {
     std::cerr << "draw_simulation: " << error.what() << "\n";
     return 1;

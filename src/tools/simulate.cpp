@@ -42,7 +42,7 @@ void AddOptions(CLI::App& app, Arguments& arguments) {
   app.add_option("--humans", config.humans, "people, 0 to 6")->capture_default_str();
   app.add_option("--seed", config.seed, "of everything random")->capture_default_str();
   app.add_option("--seconds", config.seconds, "duration (default: as long as the preset takes)")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(pf::kMinSimulationSeconds, pf::kMaxSimulationSeconds));
   app.add_option("--keypoint-rate", config.keypoint_timing.rate_hz,
                  "keypoints per second (default: every frame)")
       ->check(CLI::Range(0.1, 30.0));

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "posefusion/simulation/smooth_noise.h"
+
 namespace posefusion {
 namespace {
 
@@ -39,6 +41,15 @@ Statistics Measure(const cv::Mat& depth_m) {
   const double mean = sum / count;
   return {mean, std::sqrt(std::max(squares / count - mean * mean, 0.0)),
           count / static_cast<double>(depth_m.total())};
+}
+
+TEST(SmoothNoise, AWholeRowIsTheSameAsItsPixels) {
+  const SmoothNoise noise(77, 3);
+  std::vector<float> row(20);
+  for (int y = 0; y < 7; ++y) {
+    noise.FillRow(y, row);
+    for (int x = 0; x < 20; ++x) EXPECT_EQ(row[static_cast<std::size_t>(x)], noise.At(x, y));
+  }
 }
 
 TEST(DepthSensor, NoiseOnAWallFollowsItsFormula) {

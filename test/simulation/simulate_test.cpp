@@ -30,8 +30,14 @@ TEST(Simulate, TellsUsageErrorsFromOthers) {
   ProgramRun run = Simulate("--preset moon" + out);
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.output, HasSubstr("'moon' is none of hrp_loop"));
-  run = Simulate("--preset fr3_xyz --seconds -3" + out);
+  for (const char* seconds : {"-3", "0", "nan", "inf", "1e9", "long"}) {
+    run = Simulate("--preset fr3_xyz --seconds " + (seconds + out));
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_THAT(run.output, HasSubstr("--seconds")) << seconds;
+  }
+  run = Simulate("--preset fr3_xyz --seed text" + out);
   EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.output, HasSubstr("--seed"));
   run = Simulate("--preset fr3_xyz --humans 99" + out);
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.output, HasSubstr("--humans: 99 is outside"));
@@ -49,6 +55,19 @@ TEST(Simulate, LeavesNothingOnAFullDisk) {
                                     "--preset fr3_static --humans 0 --seconds 0.1 --out " + out);
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_THAT(run.output, HasSubstr("cannot be written"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(Simulate, LeavesNothingWhenTheBagDoesNotFit) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "run";
+  const std::string bag = folder / "run.bag";
+  // Files may have 4000 blocks of at most 1 kB: images fit, a bag of three frames does not.
+  const ProgramRun run =
+      RunProgram("trap '' XFSZ; ulimit -f 4000; " SIMULATE,
+                 "--preset fr3_static --humans 0 --seconds 0.1 --out " + out + " --bag " + bag);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.output, HasSubstr("run.bag: cannot be written"));
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 

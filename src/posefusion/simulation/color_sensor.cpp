@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "posefusion/common/simd.h"
 #include "posefusion/simulation/hash_random.h"
 #include "posefusion/simulation/smooth_noise.h"
 
@@ -39,6 +40,24 @@ void BlurRow(const cv::Mat& radiance, int row, float side, std::vector<float>& c
   }
 }
 
+/// Standard deviation of a pixel's value, see ColorNoise().
+POSEFUSION_INLINE float NoiseOf(float value, float full_well, float read_noise) {
+  return std::sqrt(std::max(value, 0.0F) * full_well + read_noise * read_noise) / full_well;
+}
+
+/// What the sensor reads out of a row of light; `first` is the number of its first value.
+POSEFUSION_KERNEL void ReadRow(const float* light, const float* factors, int count, float full_well,
+                               float read_noise, std::uint32_t key, std::uint32_t first,
+                               std::uint8_t* out) {
+  for (int i = 0; i < count; ++i) {
+    const float value = light[i] * factors[i];
+    const float noise = GaussianFloat(Mix(key ^ Mix(first + static_cast<std::uint32_t>(i))));
+    const float noisy = value + NoiseOf(value, full_well, read_noise) * noise;
+    const float kept = std::min(std::max(noisy, 0.0F), 1.0F);
+    out[i] = static_cast<std::uint8_t>(static_cast<int>(255.0F * std::sqrt(kept) + 0.5F));
+  }
+}
+
 }  // namespace
 
 double GainAt(const ColorSensorConfig& config, int seed, double time_s) {
@@ -57,9 +76,8 @@ float LightLoss(const ColorSensorConfig& config, const CameraModel& camera, int 
 }
 
 float ColorNoise(const ColorSensorConfig& config, float value) {
-  const auto full_well = static_cast<float>(config.full_well_electrons);
-  const auto read_noise = static_cast<float>(config.read_noise_electrons);
-  return std::sqrt(std::max(value, 0.0F) * full_well + read_noise * read_noise) / full_well;
+  return NoiseOf(value, static_cast<float>(config.full_well_electrons),
+                 static_cast<float>(config.read_noise_electrons));
 }
 
 cv::Mat ColorImage(const ColorSensorConfig& config, const CameraModel& camera,
@@ -70,21 +88,17 @@ cv::Mat ColorImage(const ColorSensorConfig& config, const CameraModel& camera,
   runner.ForEachRange(radiance.rows, kRowsPerBlock, [&](int begin, int end) {
     std::vector<float> sums(static_cast<std::size_t>(3 * radiance.cols));
     std::vector<float> light(sums.size());
+    std::vector<float> factors(sums.size());
     for (int row = begin; row < end; ++row) {
       BlurRow(radiance, row, side, sums, light);
-      auto* out = image.ptr<std::uint8_t>(row);
       for (int column = 0; column < radiance.cols; ++column) {
         const float factor = static_cast<float>(gain) * LightLoss(config, camera, column, row);
-        for (int c = 0; c < 3; ++c) {
-          const auto i = static_cast<std::size_t>(3 * column + c);
-          const float value = light[i] * factor;
-          const std::uint32_t number =
-              Mix(key ^ Mix(static_cast<std::uint32_t>(3 * (row * radiance.cols + column) + c)));
-          const float noisy = value + ColorNoise(config, value) * GaussianFloat(number);
-          out[i] =
-              static_cast<std::uint8_t>(255.0F * std::sqrt(std::clamp(noisy, 0.0F, 1.0F)) + 0.5F);
-        }
+        std::fill_n(factors.begin() + 3 * column, 3, factor);
       }
+      ReadRow(light.data(), factors.data(), 3 * radiance.cols,
+              static_cast<float>(config.full_well_electrons),
+              static_cast<float>(config.read_noise_electrons), key,
+              static_cast<std::uint32_t>(3 * row * radiance.cols), image.ptr<std::uint8_t>(row));
     }
   });
   return image;

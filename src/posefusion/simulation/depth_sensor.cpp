@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
+#include "posefusion/common/simd.h"
 #include "posefusion/simulation/smooth_noise.h"
 
 namespace posefusion {
@@ -21,7 +23,7 @@ constexpr float kEdge = 0.025F;              // relative step in depth that is a
 constexpr float kHalfPi = 1.5707963F;
 
 /// The nearest whole number of one above -100. (std::round is slow without SSE 4.1.)
-inline int Rounded(float x) { return static_cast<int>(x + 100.5F) - 100; }
+POSEFUSION_INLINE int Rounded(float x) { return static_cast<int>(x + 100.5F) - 100; }
 
 /// Angles of incidence for the 256 values in View::surface, kept off 90 degrees, where the noise
 /// models have their poles.
@@ -33,35 +35,71 @@ std::array<float, 256> AngleTable() {
   return angles;
 }
 
-/// Decides pixel by pixel; one for a frame, used by all threads.
-class DepthPixel {
+/// Standard deviation of a depth, see AxialNoise().
+POSEFUSION_INLINE float AxialNoiseOf(float sigma, float z_m, float angle_rad) {
+  const float slant = angle_rad / (kHalfPi - angle_rad);
+  return sigma + 0.0001F / std::sqrt(z_m) * slant * slant;
+}
+
+/// See QuantizedDepth(): `product` is focal length times baseline in pixel metres, not 0.
+POSEFUSION_INLINE float QuantizedBy(float product, float step, float z_m) {
+  const auto steps = static_cast<float>(Rounded(product / z_m / step));
+  return steps > 0 ? product / (steps * step) : 0.0F;
+}
+
+/// What the sensor reads out of a row, exact depths in and whole millimetres in metres out.
+struct DepthRow {
+  const float* depth_m;    ///< 0 = nothing came back
+  const float* angle_rad;  ///< of incidence
+  const float* noise;      ///< of standard deviation 1, the same over a window
+};
+
+POSEFUSION_KERNEL void ReadRow(const DepthRow& row, int count, const DepthSensorConfig& config,
+                               std::uint32_t key, std::uint32_t first, float* out) {
+  const float product = kInfraredFocal_px * static_cast<float>(config.baseline_m);
+  const auto step = static_cast<float>(config.disparity_step_px);
+  const bool quantizes = product > 0 && step > 0;
+  for (int i = 0; i < count; ++i) {
+    const bool returns = row.depth_m[i] > 0;
+    const float z = returns ? row.depth_m[i] : 1.0F;
+    const float white = GaussianFloat(Mix(key ^ Mix(first + static_cast<std::uint32_t>(i))));
+    const float sigma = AxialNoiseOf(DepthSigma(config.axial, z), z, row.angle_rad[i]);
+    const float noisy = std::max(z + 0.7071F * (row.noise[i] + white) * sigma, 0.001F);
+    const float told = quantizes ? QuantizedBy(product, step, noisy) : noisy;
+    const float rounded = static_cast<float>(Rounded(told * 1000.0F)) / 1000.0F;
+    out[i] = returns ? rounded : 0.0F;
+  }
+}
+
+/// Where the light of a pixel returns from.
+struct Return {
+  float depth_m = 0;  ///< 0 = from nowhere
+  float angle_rad = 0;
+};
+
+/// Decides what pixels return; one for a frame, used by all threads.
+class Returns {
  public:
-  DepthPixel(const DepthSensorConfig& config, const View& view, const cv::Mat& shadow,
-             std::uint32_t key)
+  Returns(const DepthSensorConfig& config, const View& view, const cv::Mat& shadow,
+          std::uint32_t key)
       : config_(config),
         view_(view),
         shadow_(shadow),
-        key_(key),
         shift_x_(HashOf(key, 1), kWindow_px),
         shift_y_(HashOf(key, 2), kWindow_px),
-        axial_(HashOf(key, 3), kWindow_px),
         patch_(HashOf(key, 4), kPatch_px) {}
 
-  float At(int x, int y) const {
+  Return At(int x, int y) const {
     const auto [from_x, from_y] = Wavered(x, y);
     const float z = view_.depth_m.at<float>(from_y, from_x);
     if (z < static_cast<float>(config_.min_range_m) ||
         z > static_cast<float>(config_.max_range_m)) {
-      return 0;
+      return {};
     }
-    if (shadow_.at<std::uint8_t>(from_y, from_x) != 0) return 0;
+    if (shadow_.at<std::uint8_t>(from_y, from_x) != 0) return {};
     const cv::Vec2b surface = view_.surface.at<cv::Vec2b>(from_y, from_x);
-    if (IsLost(x, y, z, surface)) return 0;
-    const float white = GaussianFloat(
-        Mix(key_ ^ Mix(static_cast<std::uint32_t>(y) * 65536U + static_cast<std::uint32_t>(x))));
-    const float noise = 0.7071F * (axial_.At(x, y) + white);
-    const float noisy = z + noise * AxialNoise(config_, z, angles_[surface[0]]);
-    return static_cast<float>(Rounded(QuantizedDepth(config_, noisy) * 1000.0F)) / 1000.0F;
+    if (IsLost(x, y, z, surface)) return {};
+    return {z, angles_[surface[0]]};
   }
 
  private:
@@ -109,16 +147,14 @@ class DepthPixel {
   const DepthSensorConfig& config_;
   const View& view_;
   const cv::Mat& shadow_;
-  std::uint32_t key_;
-  SmoothNoise shift_x_, shift_y_, axial_, patch_;
+  SmoothNoise shift_x_, shift_y_, patch_;
   const std::array<float, 256> angles_ = AngleTable();
 };
 
 }  // namespace
 
 float AxialNoise(const DepthSensorConfig& config, float z_m, float angle_rad) {
-  const float slant = angle_rad / (kHalfPi - angle_rad);
-  return DepthSigma(config.axial, z_m) + 0.0001F / std::sqrt(z_m) * slant * slant;
+  return AxialNoiseOf(DepthSigma(config.axial, z_m), z_m, angle_rad);
 }
 
 float LateralNoise(const DepthSensorConfig& config, float angle_rad) {
@@ -130,8 +166,7 @@ float QuantizedDepth(const DepthSensorConfig& config, float z_m) {
   const float product = kInfraredFocal_px * static_cast<float>(config.baseline_m);
   const auto step = static_cast<float>(config.disparity_step_px);
   if (step <= 0 || product <= 0 || z_m <= 0) return z_m;
-  const auto steps = static_cast<float>(Rounded(product / z_m / step));
-  return steps > 0 ? product / (steps * step) : 0.0F;
+  return QuantizedBy(product, step, z_m);
 }
 
 cv::Mat ProjectorShadow(const DepthSensorConfig& config, const CameraModel& camera,
@@ -158,13 +193,23 @@ cv::Mat ProjectorShadow(const DepthSensorConfig& config, const CameraModel& came
 cv::Mat DepthImage(const DepthSensorConfig& config, const CameraModel& camera, const View& view,
                    std::uint32_t key, const ParallelRunner& runner) {
   const cv::Mat shadow = ProjectorShadow(config, camera, view.depth_m, runner);
-  const DepthPixel pixel(config, view, shadow, key);
+  const Returns returns(config, view, shadow, key);
+  const SmoothNoise window_noise(HashOf(key, 3), kWindow_px);
   cv::Mat depth(view.depth_m.size(), CV_32FC1);
   runner.ForEachRange(depth.rows, kRowsPerBlock, [&](int begin, int end) {
+    const auto width = static_cast<std::size_t>(depth.cols);
+    std::vector<float> exact_m(width);
+    std::vector<float> angle_rad(width);
+    std::vector<float> noise(width);
     for (int row = begin; row < end; ++row) {
-      for (int column = 0; column < depth.cols; ++column) {
-        depth.at<float>(row, column) = pixel.At(column, row);
+      for (std::size_t i = 0; i < width; ++i) {
+        const Return light = returns.At(static_cast<int>(i), row);
+        exact_m[i] = light.depth_m;
+        angle_rad[i] = light.angle_rad;
       }
+      window_noise.FillRow(row, noise);
+      ReadRow({exact_m.data(), angle_rad.data(), noise.data()}, depth.cols, config, key,
+              static_cast<std::uint32_t>(row) * 65536U, depth.ptr<float>(row));
     }
   });
   return depth;

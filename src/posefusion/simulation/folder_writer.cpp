@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kMark = "simulation.yaml";
-constexpr int kPngCompression = 2;  ///< noise hardly gets smaller with more effort
+constexpr int kWaitingFrames = 4;
 
 [[noreturn]] void Refuse(const std::string& folder, const std::string& why) {
   throw std::runtime_error(folder + ": " + why);
@@ -39,11 +39,10 @@ std::string WithoutSlash(std::string path) {
   return path;
 }
 
+/// With OpenCV's fast default: noise hardly gets smaller with more effort.
 void WritePng(const cv::Mat& image, const std::string& path) {
   std::vector<unsigned char> bytes;
-  if (!cv::imencode(".png", image, bytes, {cv::IMWRITE_PNG_COMPRESSION, kPngCompression})) {
-    Refuse(path, "cannot be encoded");
-  }
+  if (!cv::imencode(".png", image, bytes)) Refuse(path, "cannot be encoded");
   WriteFileAtomically(path, std::string(bytes.begin(), bytes.end()));
 }
 
@@ -71,22 +70,28 @@ FolderWriter::FolderWriter(const std::string& folder, bool force)
   } catch (const fs::filesystem_error& error) {
     Refuse(folder_, "cannot be made: " + error.code().message());
   }
+  images_ = std::make_unique<TaskThread>(kWaitingFrames);
 }
 
 FolderWriter::~FolderWriter() {
+  images_.reset();  // before the folder that it writes into goes away
   if (complete_) return;
   std::error_code ignored;
   fs::remove_all(partial_, ignored);
 }
 
 void FolderWriter::Write(const SimulatedFrame& frame, const Simulator& simulator) {
+  images_->Add([this, frame] { WriteImages(frame); });
+  WriteKeypoints(frame, simulator);
+  truth_.Add(frame, simulator);
+}
+
+void FolderWriter::WriteImages(const SimulatedFrame& frame) const {
   cv::Mat bgr;
   cv::cvtColor(frame.frame.rgb, bgr, cv::COLOR_RGB2BGR);
   WritePng(bgr, PathOf(RgbFileName(frame)));
   WritePng(QuantizeDepth(frame.frame.depth_m), PathOf(DepthFileName(frame)));
   WritePng(frame.labels, PathOf("labels/" + FormatStamp(frame.frame.stamp_ns) + ".png"));
-  WriteKeypoints(frame, simulator);
-  truth_.Add(frame, simulator);
 }
 
 void FolderWriter::WriteKeypoints(const SimulatedFrame& frame, const Simulator& simulator) {
@@ -99,6 +104,7 @@ void FolderWriter::WriteKeypoints(const SimulatedFrame& frame, const Simulator& 
 }
 
 void FolderWriter::Close(const Simulator& simulator) {
+  images_->Finish();
   if (simulator.config().keypoint_timing.latency_s > 0) {
     WriteFileAtomically(PathOf("keypoints/arrival.txt"), arrivals_);
   }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
+#include "posefusion/common/task_thread.h"
 #include "posefusion/simulation/simulator.h"
 #include "posefusion/simulation/truth_recorder.h"
 
@@ -20,7 +22,9 @@ class FolderWriter {
   FolderWriter(const FolderWriter&) = delete;
   FolderWriter& operator=(const FolderWriter&) = delete;
 
-  /// Frames come in their order. @throws std::runtime_error naming a file that cannot be written.
+  /// Frames come in their order, and their images must stay as they are: a thread of its own writes
+  /// them. @throws std::runtime_error naming a file, of this or an earlier frame, that cannot be
+  /// written.
   void Write(const SimulatedFrame& frame, const Simulator& simulator);
 
   /// Writes the lists and the truth and gives the folder its name. @throws as Write.
@@ -28,6 +32,7 @@ class FolderWriter {
 
  private:
   std::string PathOf(const std::string& name) const { return partial_ + "/" + name; }
+  void WriteImages(const SimulatedFrame& frame) const;
   void WriteKeypoints(const SimulatedFrame& frame, const Simulator& simulator);
 
   std::string folder_;
@@ -35,6 +40,7 @@ class FolderWriter {
   bool complete_ = false;
   std::string arrivals_ = "# stamp arrival_stamp\n";
   TruthRecorder truth_;
+  std::unique_ptr<TaskThread> images_;
 };
 
 }  // namespace posefusion

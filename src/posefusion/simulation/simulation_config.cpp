@@ -14,8 +14,6 @@ namespace {
 constexpr const char* kScheme = "sim:";
 constexpr int kMaxHumans = 6;
 constexpr int kMaxSeed = 1'000'000;
-constexpr double kMinSeconds = 0.1;
-constexpr double kMaxSeconds = 3600;
 constexpr double kFirstFallS = 6;
 constexpr double kWayIntervalS = 1;
 
@@ -47,7 +45,7 @@ void SetOption(const std::string& option, SimulationConfig& config) {
     config.seed = static_cast<int>(ParseNumber(key, text, true));
   } else if (key == "seconds") {
     config.seconds = ParseNumber(key, text, false);
-    CheckRange("seconds", config.seconds, kMinSeconds, kMaxSeconds);
+    CheckRange("seconds", config.seconds, kMinSimulationSeconds, kMaxSimulationSeconds);
   } else {
     throw std::invalid_argument("'" + key + "' is none of humans, seed, seconds");
   }
@@ -105,7 +103,7 @@ SimulationConfig CheckedConfig(const SimulationConfig& config) {
   if (checked.seconds == 0) checked.seconds = preset.seconds;
   CheckRange("humans", checked.humans, 0, kMaxHumans);
   CheckRange("seed", checked.seed, 0, kMaxSeed);
-  CheckRange("seconds", checked.seconds, kMinSeconds, kMaxSeconds);
+  CheckRange("seconds", checked.seconds, kMinSimulationSeconds, kMaxSimulationSeconds);
   CheckRanges("keypoint_faults", checked.keypoint_faults);
   CheckRanges("keypoint_timing", checked.keypoint_timing);
   checked.sensor.seed = checked.seed;

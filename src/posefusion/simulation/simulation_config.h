@@ -13,6 +13,10 @@
 
 namespace posefusion {
 
+/// Shortest and longest run.
+constexpr double kMinSimulationSeconds = 0.1;
+constexpr double kMaxSimulationSeconds = 3600;
+
 /// Which run is simulated. Equal values give equal bytes.
 struct SimulationConfig {
   std::string preset;

@@ -84,7 +84,8 @@ cv::Mat QuantizeDepth(const cv::Mat& depth_m) {
     for (int u = 0; u < depth_m.cols; ++u) {
       const float value = metres[u] * kScale;
       const bool usable = value > 0 && value <= kMax;
-      units[u] = usable ? static_cast<std::uint16_t>(std::lround(value)) : std::uint16_t{0};
+      // Half up by hand: std::lround is a call for every pixel.
+      units[u] = static_cast<std::uint16_t>(usable ? static_cast<int>(value + 0.5F) : 0);
     }
   }
   return raw;
