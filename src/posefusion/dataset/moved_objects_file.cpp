@@ -10,7 +10,7 @@
 
 #include "posefusion/common/atomic_file.h"
 #include "posefusion/dataset/mesh_file.h"
-#include "posefusion/dataset/text_lines.h"
+#include "posefusion/common/text_lines.h"
 
 namespace posefusion {
 namespace {
