@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "posefusion/common/task_thread.h"
@@ -18,11 +19,9 @@ class SimulationBag {
   SimulationBag(const std::string& path, RobotRecord record);
 
   /// Frames come in their order, and their images must stay as they are: a thread of its own writes
-  /// them. @throws std::runtime_error naming the bag, also for an earlier frame.
-  void Write(const RgbdFrame& frame);
-
-  /// Keypoints of a frame; played when they arrive. @throws std::runtime_error naming the bag.
-  void Write(const Skeletons& skeletons) { writer_.Write(skeletons); }
+  /// them. Keypoints, if the frame has any, are played when they arrive.
+  /// @throws std::runtime_error naming the bag, also for an earlier frame.
+  void Write(const RgbdFrame& frame, const std::optional<Skeletons>& keypoints);
 
   /// @throws std::runtime_error naming the bag.
   void Close();

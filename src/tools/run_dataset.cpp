@@ -38,6 +38,7 @@ struct Arguments {
   std::vector<std::string> config_files;
   std::string keypoints;  ///< folder or "none"; empty = what the source has
   pf::KeypointDelivery delivery;
+  bool save_masks = false;
   int max_frames = 0;
   int num_threads = 2;
   double start_s = 0;
@@ -150,6 +151,7 @@ int Run(const Arguments& arguments) {
   hooks.on_frame = [&](int done) { progress.Update(done); };
   hooks.on_error = [&](const std::string& text) { progress.Print("run_dataset: " + text); };
   hooks.on_note = hooks.on_error;
+  if (arguments.save_masks) hooks.on_mask = pf::MaskWriter(arguments.out + "/masks");
   const pf::OfflineRun run =
       pf::RunOffline(*frames, config, arguments.num_threads, hooks, keypoints.get());
   progress.Finish();
@@ -176,7 +178,7 @@ int main(int argc, char** argv) {
   app.add_option("--preset", arguments.preset, "named settings of config/presets")
       ->check(CLI::IsMember(pf::PresetNames()));
   app.add_option("--config", arguments.config_files,
-                 "yaml files with groups blur_filter and mapping, later ones win")
+                 "yaml files with groups blur_filter, human_removal and mapping, later ones win")
       ->allow_extra_args(false);
   app.add_option(
       "--keypoints", arguments.keypoints,
@@ -188,6 +190,7 @@ int main(int argc, char** argv) {
   app.add_option("--keypoint-delay", arguments.delivery.delay_s,
                  "lets keypoints arrive so many seconds later, in the time of the images")
       ->check(CLI::Range(0.0, 100.0));
+  app.add_flag("--masks", arguments.save_masks, "writes what was taken for people to OUT/masks");
   app.add_option("--max-frames", arguments.max_frames, "ends after so many frames")
       ->check(CLI::PositiveNumber);
   app.add_option("--threads", arguments.num_threads, "threads to use")

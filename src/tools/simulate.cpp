@@ -70,10 +70,7 @@ bool Simulate(const Arguments& arguments) {
   while (const auto frame = simulator.Next()) {
     if (pf::interrupted) return false;
     folder.Write(*frame, simulator);
-    if (bag) {
-      bag->Write(frame->frame);
-      if (const auto keypoints = pf::KeypointsAsWritten(*frame, simulator)) bag->Write(*keypoints);
-    }
+    if (bag) bag->Write(frame->frame, pf::KeypointsAsWritten(*frame, simulator));
     progress.Update(frame->index + 1);
   }
   progress.Finish();

@@ -9,8 +9,8 @@
 #include <stdexcept>
 
 #include "posefusion/common/atomic_file.h"
-#include "posefusion/dataset/mesh_file.h"
 #include "posefusion/common/text_lines.h"
+#include "posefusion/dataset/mesh_file.h"
 
 namespace posefusion {
 namespace {

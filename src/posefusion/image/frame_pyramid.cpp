@@ -75,7 +75,7 @@ void HalveDepth(const Grid<float>& fine, float sigmas, const DepthNoiseConfig& n
 PyramidBuilder::PyramidBuilder(const PyramidConfig& config, const DepthNoiseConfig& noise)
     : config_(config), noise_(noise), depth_filter_(config.depth_filter, noise) {}
 
-void PyramidBuilder::Build(const RgbdFrame& frame, const cv::Mat& mask,
+void PyramidBuilder::Build(const RgbdFrame& frame, const PeopleInFrame& people,
                            const ParallelRunner& parallel, FramePyramid& pyramid) {
   const int width = frame.camera.width;
   const int height = frame.camera.height;
@@ -99,7 +99,7 @@ void PyramidBuilder::Build(const RgbdFrame& frame, const cv::Mat& mask,
       CutDepthRow(frame.depth_m.ptr<float>(y), width, min_m, max_m, pyramid.raw_depth_m.row(y));
     }
   });
-  TakeOutPeople(frame, mask, parallel, pyramid);
+  TakeOutPeople(frame, people, parallel, pyramid);
   depth_filter_.Apply(pyramid.raw_depth_m, parallel, finest.depth_m);
   for (std::size_t l = 0; l < pyramid.levels.size(); ++l) {
     PyramidLevel& level = pyramid.levels[l];
@@ -115,12 +115,16 @@ void PyramidBuilder::Build(const RgbdFrame& frame, const cv::Mat& mask,
   }
 }
 
-void PyramidBuilder::TakeOutPeople(const RgbdFrame& frame, const cv::Mat& mask,
+void PyramidBuilder::TakeOutPeople(const RgbdFrame& frame, const PeopleInFrame& people,
                                    const ParallelRunner& parallel, FramePyramid& pyramid) {
   const int width = frame.camera.width;
   const int height = frame.camera.height;
+  const cv::Mat& mask = people.mask;
+  const cv::Mat& depth_with_people_m = people.depth_m.empty() ? frame.depth_m : people.depth_m;
   pyramid.person_depth_m.Resize(mask.empty() ? 0 : width, mask.empty() ? 0 : height);
   if (mask.empty()) return;
+  const auto min_m = static_cast<float>(config_.min_depth_m);
+  const auto max_m = static_cast<float>(config_.max_depth_m);
   const int side = 2 * config_.person_rim_px + 1;
   cv::erode(mask, inner_mask_, cv::Mat::ones(side, side, CV_8UC1), {-1, -1}, 1, cv::BORDER_CONSTANT,
             cv::Scalar::all(255));
@@ -129,10 +133,10 @@ void PyramidBuilder::TakeOutPeople(const RgbdFrame& frame, const cv::Mat& mask,
     for (int y = begin; y < end; ++y) {
       const auto* masked = mask.ptr<std::uint8_t>(y);
       const auto* inner = inner_mask_.ptr<std::uint8_t>(y);
-      float* depth = pyramid.raw_depth_m.row(y);
       float* person = pyramid.person_depth_m.row(y);
-      for (int x = 0; x < width; ++x) person[x] = inner[x] != 0 ? depth[x] : 0.0F;
-      MaskRow(masked, width, 0.0F, depth);
+      CutDepthRow(depth_with_people_m.ptr<float>(y), width, min_m, max_m, person);
+      for (int x = 0; x < width; ++x) person[x] = inner[x] != 0 ? person[x] : 0.0F;
+      MaskRow(masked, width, 0.0F, pyramid.raw_depth_m.row(y));
       if (config_.mask_rgb) MaskRow(masked, width, kNoIntensity, intensity.row(y));
     }
   });

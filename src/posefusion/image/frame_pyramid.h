@@ -8,6 +8,7 @@
 #include "posefusion/image/depth_filter.h"
 #include "posefusion/image/depth_noise.h"
 #include "posefusion/image/normals.h"
+#include "posefusion/image/people_in_frame.h"
 #include "posefusion/image/rgbd_frame.h"
 
 namespace posefusion {
@@ -56,14 +57,14 @@ class PyramidBuilder {
  public:
   PyramidBuilder(const PyramidConfig& config, const DepthNoiseConfig& noise);
 
-  /// Fills `pyramid` from a frame without distortion. `mask` (CV_8UC1, 255 = person; may be empty)
-  /// removes depth, and intensity with mask_rgb, at every level that touches it.
-  void Build(const RgbdFrame& frame, const cv::Mat& mask, const ParallelRunner& parallel,
+  /// Fills `pyramid` from a frame without distortion. People lose their depth, and their intensity
+  /// with mask_rgb, at every level that touches them.
+  void Build(const RgbdFrame& frame, const PeopleInFrame& people, const ParallelRunner& parallel,
              FramePyramid& pyramid);
 
  private:
-  void TakeOutPeople(const RgbdFrame& frame, const cv::Mat& mask, const ParallelRunner& parallel,
-                     FramePyramid& pyramid);
+  void TakeOutPeople(const RgbdFrame& frame, const PeopleInFrame& people,
+                     const ParallelRunner& parallel, FramePyramid& pyramid);
 
   PyramidConfig config_;
   DepthNoiseConfig noise_;

@@ -8,6 +8,7 @@
 #include "posefusion/common/trajectory.h"
 #include "posefusion/dataset/frame_source.h"
 #include "posefusion/pipeline/system_config.h"
+#include "posefusion/segmentation/human_remover.h"
 #include "posefusion/skeleton/skeleton_source.h"
 #include "posefusion/surfel/surfel_cloud.h"
 
@@ -36,6 +37,8 @@ struct OfflineRun {
   std::vector<std::string> errors;  ///< of frames and keypoints that could not be read or used
   int num_bad_frames = 0;           ///< frames among the errors
   int num_keypoints = 0;            ///< images whose keypoints arrived during the run
+  KeypointCounts keypoints;         ///< what human removal did with them
+  int num_frames_with_people = 0;   ///< somebody was cut out
 
   int Count(FrameState state) const;
 };
@@ -45,6 +48,8 @@ struct OfflineRunHooks {
   std::function<bool()> should_stop = [] { return false; };  ///< asked before each frame
   std::function<void(int)> on_frame = [](int) {};            ///< frames done
   std::function<void(const std::string&)> on_error = [](const std::string&) {};
+  /// The person mask of each frame that was not dropped (CV_8UC1, 255 = person).
+  std::function<void(StampNs, const cv::Mat&)> on_mask;
   std::function<void(const std::string&)> on_note = [](const std::string&) {};  ///< no error
 };
 
