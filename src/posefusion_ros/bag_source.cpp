@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <deque>
+#include <iterator>
+#include <map>
 #include <stdexcept>
 #include <vector>
 
@@ -101,13 +103,27 @@ struct BagSource::State {
     try {
       const std::string& topic = message.getTopic();
       if (topic == topics.info) Add(assembler.AddInfo(Read<sensor_msgs::CameraInfo>(message)));
-      if (topic == topics.rgb) Add(assembler.AddRgb(Read<sensor_msgs::Image>(message)));
+      if (topic == topics.rgb) AddRgb(Read<sensor_msgs::Image>(message));
       if (topic == topics.depth) Add(assembler.AddDepth(Read<sensor_msgs::Image>(message)));
     } catch (const std::exception& error) {
       throw std::runtime_error(path + ": " + message.getTopic() + ": damaged message at " +
                                FormatStamp(static_cast<StampNs>(message.getTime().toNSec())) +
                                ": " + error.what());
     }
+  }
+
+  void AddRgb(const sensor_msgs::ImageConstPtr& rgb) {
+    rgb_indices.emplace(rgb->header.stamp, num_rgb++);
+    Add(assembler.AddRgb(rgb));
+  }
+
+  /// Number of a colour image in the bag; earlier ones are forgotten.
+  int TakeIndex(const ros::Time& stamp) {
+    const auto found = rgb_indices.find(stamp);
+    if (found == rgb_indices.end()) return -1;
+    const int index = found->second;
+    rgb_indices.erase(rgb_indices.begin(), std::next(found));
+    return index;
   }
 
   void Add(std::vector<RgbdMessages> frames) {
@@ -136,6 +152,8 @@ struct BagSource::State {
   rosbag::View view;
   rosbag::View::iterator next_message;
   std::deque<RgbdMessages> ready;
+  std::map<ros::Time, int> rgb_indices;  ///< of colour images that may still become frames
+  int num_rgb = 0;
   int num_frames = 0;
   bool flushed = false;
   StampNs last_ns = -1;
@@ -154,6 +172,7 @@ std::optional<RgbdFrame> BagSource::Next() {
     RgbdFrame frame;
     try {
       frame = ToRgbdFrame(messages, state_->options.images_are_rectified, state_->topics);
+      frame.index = state_->TakeIndex(messages.rgb->header.stamp);
     } catch (const std::invalid_argument& error) {
       throw std::runtime_error(
           state_->path + ": " + error.what() + " (frame " +

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "posefusion_ros/conversions.h"
+#include "posefusion_ros/skeleton_conversions.h"
 #include "posefusion_ros/topic_names.h"
 
 namespace posefusion {
@@ -62,6 +63,16 @@ void BagWriter::Write(const RgbdFrame& frame) {
     header.stamp = ToRosTime(frame.stamp_ns);
     write(kCameraInfoTopic, ToCameraInfo(frame.camera, header));
     write(kCameraRgbTopic, *ToRgb8Message(frame.rgb, header));
+  });
+}
+
+void BagWriter::Write(const Skeletons& skeletons) {
+  std_msgs::Header header;
+  header.frame_id = state_->camera_frame;
+  header.stamp = ToRosTime(skeletons.stamp_ns);
+  state_->Guarded([&] {
+    state_->bag->write(std::string("/") + kSkeletonsInTopic, ToRosTime(skeletons.arrival_ns),
+                       ToSkeletonsMessage(skeletons, header));
   });
 }
 

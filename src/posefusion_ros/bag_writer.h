@@ -5,6 +5,7 @@
 #include <string>
 
 #include "posefusion/image/rgbd_frame.h"
+#include "posefusion/skeleton/skeletons.h"
 
 namespace rosbag {
 class Bag;
@@ -25,6 +26,10 @@ class BagWriter {
 
   /// @throws std::runtime_error naming the bag, e.g. when the disk is full.
   void Write(const RgbdFrame& frame);
+
+  /// Writes keypoints as a message on skeletons_in that is played when they arrive.
+  /// @throws std::runtime_error as Write.
+  void Write(const Skeletons& skeletons);
 
   /// Lets the caller write messages of other topics. @throws std::runtime_error as Write.
   void WriteOther(const std::function<void(rosbag::Bag&)>& write);

@@ -90,10 +90,11 @@ tf2_msgs::TFMessage ToTransforms(const RobotSample& sample) {
 SimulationBag::SimulationBag(const std::string& path, RobotRecord record)
     : record_(std::move(record)), writer_(path, kCameraLink), thread_(kWaitingFrames) {}
 
-void SimulationBag::Write(const RgbdFrame& frame) {
-  thread_.Add([this, frame] {
+void SimulationBag::Write(const RgbdFrame& frame, const std::optional<Skeletons>& keypoints) {
+  thread_.Add([this, frame, keypoints] {
     WriteRobotUntil(frame.stamp_ns);
     writer_.Write(frame);
+    if (keypoints) writer_.Write(*keypoints);
   });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "posefusion/common/task_thread.h"
@@ -10,16 +11,17 @@
 namespace posefusion {
 
 /// Writes a simulated run into a rosbag as a robot would record it: frames as BagWriter does,
-/// /imu, and for a robot /odom, /joint_states and /tf (odom -> BODY -> ... -> camera), each with
-/// its own stamp. Not thread-safe. Without Close nothing is left.
+/// keypoints on /skeletons_in, /imu, and for a robot /odom, /joint_states and /tf (odom -> BODY ->
+/// ... -> camera), each with its own stamp. Not thread-safe. Without Close nothing is left.
 class SimulationBag {
  public:
   /// @throws std::runtime_error naming a path that cannot be written.
   SimulationBag(const std::string& path, RobotRecord record);
 
   /// Frames come in their order, and their images must stay as they are: a thread of its own writes
-  /// them. @throws std::runtime_error naming the bag, also for an earlier frame.
-  void Write(const RgbdFrame& frame);
+  /// them. Keypoints, if the frame has any, are played when they arrive.
+  /// @throws std::runtime_error naming the bag, also for an earlier frame.
+  void Write(const RgbdFrame& frame, const std::optional<Skeletons>& keypoints);
 
   /// @throws std::runtime_error naming the bag.
   void Close();

@@ -16,6 +16,10 @@ constexpr const char* kSharpDepthTopic = "sharp/depth_registered/image_rect";
 constexpr const char* kSharpInfoTopic = "sharp/rgb/camera_info";
 constexpr const char* kBlurScoreTopic = "blur_score";
 
+// Keypoints of people: from elsewhere or a bag, and checked from SkeletonIngest.
+constexpr const char* kSkeletonsInTopic = "skeletons_in";
+constexpr const char* kSkeletonsTopic = "skeletons";
+
 // From Mapping.
 constexpr const char* kHeadPoseTopic = "head_pose";
 constexpr const char* kOdometryTopic = "odometry";

@@ -57,7 +57,7 @@ void BM_Pyramid(benchmark::State& state) {
   const pf::ParallelRunner parallel(static_cast<int>(state.range(0)));
   pf::PyramidBuilder builder(pf::PyramidConfig(), pf::DepthNoiseConfig{});
   pf::FramePyramid pyramid;
-  for (auto _ : state) builder.Build(frame, cv::Mat(), parallel, pyramid);
+  for (auto _ : state) builder.Build(frame, {}, parallel, pyramid);
 }
 BENCHMARK(BM_Pyramid)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 

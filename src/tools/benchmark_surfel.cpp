@@ -78,7 +78,7 @@ pf::FramePyramid MakeFrame(const pf::ParallelRunner& parallel) {
   frame.depth_m = cv::Mat(480, 640, CV_32FC1, cv::Scalar(kWallM));
   pf::PyramidBuilder builder(pf::PyramidConfig(), pf::DepthNoiseConfig{});
   pf::FramePyramid pyramid;
-  builder.Build(frame, cv::Mat(), parallel, pyramid);
+  builder.Build(frame, {}, parallel, pyramid);
   return pyramid;
 }
 

@@ -1,12 +1,14 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
 
 #include "posefusion/dataset/prefetched_source.h"
 #include "posefusion/dataset/tum_folder_source.h"
+#include "posefusion/skeleton/skeleton_folder.h"
 #include "posefusion_ros/bag_writer.h"
 #include "tools/interrupt.h"
 #include "tools/progress.h"
@@ -17,8 +19,23 @@ constexpr int kUsageError = 2;
 constexpr int kOtherError = 1;
 constexpr const char* kCameraFrame = "camera_rgb_optical_frame";
 
-/// Returns the number of frames written; what an interrupt cuts off is left out.
-int WriteBag(const std::string& folder, const std::string& bag) {
+/// Writes the keypoints of a frame, if there are any, to be played when they arrive.
+/// @throws std::runtime_error naming a file that cannot be used.
+void WriteKeypoints(const posefusion::RgbdFrame& frame, posefusion::SkeletonSource& keypoints,
+                    posefusion::BagWriter& writer) {
+  keypoints.Offer(frame);
+  for (const std::string& note : keypoints.TakeNotes()) {
+    std::fprintf(stderr, "dataset_to_bag: %s\n", note.c_str());
+  }
+  constexpr auto kSoonerOrLater = std::numeric_limits<posefusion::StampNs>::max();
+  for (const auto& skeletons : keypoints.Take(kSoonerOrLater)) writer.Write(skeletons);
+}
+
+/// Returns the number of frames written; what an interrupt cuts off is left out. `keypoints` is a
+/// folder or empty.
+int WriteBag(const std::string& folder, const std::string& keypoints, const std::string& bag) {
+  std::unique_ptr<posefusion::SkeletonFolder> skeletons;
+  if (!keypoints.empty()) skeletons = std::make_unique<posefusion::SkeletonFolder>(keypoints);
   posefusion::PrefetchedSource source(std::make_unique<posefusion::TumFolderSource>(folder));
   posefusion::BagWriter writer(bag, kCameraFrame);
   posefusion::Progress progress(bag, source.NumFrames());
@@ -27,6 +44,7 @@ int WriteBag(const std::string& folder, const std::string& bag) {
     const auto frame = source.Next();
     if (!frame) break;
     writer.Write(*frame);
+    if (skeletons) WriteKeypoints(*frame, *skeletons, writer);
     progress.Update(++num_frames);
   }
   if (num_frames == 0) throw std::runtime_error(folder + ": no frame has been written");
@@ -45,8 +63,11 @@ int main(int argc, char** argv) {
       "depth 32FC1 in metres, camera_info with the distortion, stamps as they are.");
   std::string folder;
   std::string bag;
+  std::string keypoints;
   app.add_option("DIR", folder, "folder with rgb.txt, depth.txt and camera.yaml")->required();
   app.add_option("FILE.bag", bag, "the bag; replaced if it exists")->required();
+  app.add_option("--keypoints", keypoints,
+                 "folder of OpenPose's JSON files; written to /skeletons_in at their arrival");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -54,7 +75,7 @@ int main(int argc, char** argv) {
   }
   try {
     posefusion::CatchInterrupts();
-    WriteBag(folder, bag);
+    WriteBag(folder, keypoints, bag);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "dataset_to_bag: %s\n", error.what());
     return kOtherError;

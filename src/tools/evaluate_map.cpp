@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
   app.add_option("--map", files.map, "map.ply of run_dataset")->required();
   app.add_option("--truth", files.truth,
                  "folder with world.ply, groundtruth.txt, camera.yaml, rgb.txt, and "
-                 "people_capsules.txt and events.txt where there are any")
+                 "moved_objects.txt, people_capsules.txt and events.txt where there are any")
       ->required();
   app.add_option("--estimate", files.estimate,
                  "camera poses of the map, TUM format (default: trajectory.txt beside the map)");

@@ -17,6 +17,8 @@
 #include "posefusion/dataset/tum_folder_source.h"
 #include "posefusion/pipeline/offline_run.h"
 #include "posefusion/simulation/sim_source.h"
+#include "posefusion/skeleton/skeleton_folder.h"
+#include "posefusion/skeleton/timed_skeletons.h"
 #include "posefusion_ros/bag_source.h"
 #include "presets.h"
 #include "progress.h"
@@ -34,7 +36,9 @@ struct Arguments {
   std::string out;
   std::string preset;
   std::vector<std::string> config_files;
-  std::string keypoints = "none";
+  std::string keypoints;  ///< folder or "none"; empty = what the source has
+  pf::KeypointDelivery delivery;
+  bool save_masks = false;
   int max_frames = 0;
   int num_threads = 2;
   double start_s = 0;
@@ -77,6 +81,7 @@ class TrimmedSource : public pf::FrameSource {
 
 struct Source {
   std::unique_ptr<pf::FrameSource> frames;
+  std::unique_ptr<pf::SkeletonSource> own_keypoints;   ///< that come with the frames, or null
   std::shared_ptr<const pf::SimulatedRun> simulation;  ///< null for recorded frames
 };
 
@@ -84,19 +89,35 @@ Source OpenSource(const Arguments& arguments) {
   if (EndsWith(arguments.source, ".bag")) {
     return {std::make_unique<TrimmedSource>(std::make_unique<pf::BagSource>(arguments.source),
                                             arguments.start_s, arguments.max_frames),
-            nullptr};
+            nullptr, nullptr};
   }
   if (const auto simulation = pf::ParseSimulationName(arguments.source)) {
     auto frames = std::make_unique<pf::SimSource>(*simulation, arguments.num_threads);
     auto run = frames->run();
+    auto keypoints = arguments.keypoints.empty() ? frames->MakeKeypoints() : nullptr;
     return {
         std::make_unique<TrimmedSource>(std::move(frames), arguments.start_s, arguments.max_frames),
-        std::move(run)};
+        std::move(keypoints), std::move(run)};
   }
   pf::TumFolderOptions options;
   options.start_s = arguments.start_s;
   options.max_frames = arguments.max_frames;
-  return {std::make_unique<pf::TumFolderSource>(arguments.source, options), nullptr};
+  auto frames = std::make_unique<pf::TumFolderSource>(arguments.source, options);
+  const std::string folder = arguments.source + "/keypoints";
+  const bool own = arguments.keypoints.empty() && std::filesystem::is_directory(folder);
+  return {std::move(frames), own ? std::make_unique<pf::SkeletonFolder>(folder) : nullptr, nullptr};
+}
+
+/// The keypoints that are asked for, as fast and as late as they are asked for; null for none.
+std::unique_ptr<pf::SkeletonSource> OpenKeypoints(const Arguments& arguments,
+                                                  std::unique_ptr<pf::SkeletonSource> own) {
+  if (arguments.keypoints == "none") return nullptr;
+  std::unique_ptr<pf::SkeletonSource> keypoints = std::move(own);
+  if (!arguments.keypoints.empty()) {
+    keypoints = std::make_unique<pf::SkeletonFolder>(arguments.keypoints);
+  }
+  if (!keypoints) return nullptr;
+  return std::make_unique<pf::TimedSkeletons>(std::move(keypoints), arguments.delivery);
 }
 
 /// What the run came to, in a few lines.
@@ -108,6 +129,11 @@ void PrintSummary(const pf::OfflineRun& run, const std::string& out) {
   std::printf("%zu surfels; results in %s\n", run.num_surfels, out.c_str());
 }
 
+void PrintKeypoints(const pf::OfflineRun& run, const pf::SkeletonCounts& counts) {
+  std::printf("keypoints of %d frames: %d arrived before the end, %d more belong to no frame\n",
+              counts.frames_with_keypoints, run.num_keypoints, counts.without_frame);
+}
+
 int Run(const Arguments& arguments) {
   pf::PrepareOutputFolder(arguments.out);
   std::vector<std::string> files = arguments.config_files;
@@ -116,6 +142,7 @@ int Run(const Arguments& arguments) {
   }
   const pf::SystemConfig config = pf::LoadSystemConfig(files);
   Source source = OpenSource(arguments);
+  const auto keypoints = OpenKeypoints(arguments, std::move(source.own_keypoints));
   auto frames = std::make_unique<pf::PrefetchedSource>(std::move(source.frames));
   pf::CatchInterrupts();
   pf::Progress progress("run_dataset", frames->NumFrames());
@@ -123,13 +150,17 @@ int Run(const Arguments& arguments) {
   hooks.should_stop = [] { return pf::interrupted.load(); };
   hooks.on_frame = [&](int done) { progress.Update(done); };
   hooks.on_error = [&](const std::string& text) { progress.Print("run_dataset: " + text); };
-  const pf::OfflineRun run = pf::RunOffline(*frames, config, arguments.num_threads, hooks);
+  hooks.on_note = hooks.on_error;
+  if (arguments.save_masks) hooks.on_mask = pf::MaskWriter(arguments.out + "/masks");
+  const pf::OfflineRun run =
+      pf::RunOffline(*frames, config, arguments.num_threads, hooks, keypoints.get());
   progress.Finish();
   frames.reset();  // ends its thread
   if (pf::interrupted) std::fprintf(stderr, "run_dataset: interrupted, saving what there is\n");
   pf::WriteRunOutput(run, config, arguments.out);
   if (source.simulation) source.simulation->WriteTruth(arguments.out + "/truth");
   PrintSummary(run, arguments.out);
+  if (keypoints) PrintKeypoints(run, keypoints->counts());
   if (run.frames.empty()) throw std::runtime_error(arguments.source + ": no frame could be used");
   return run.errors.empty() ? 0 : kExitFailure;
 }
@@ -147,12 +178,19 @@ int main(int argc, char** argv) {
   app.add_option("--preset", arguments.preset, "named settings of config/presets")
       ->check(CLI::IsMember(pf::PresetNames()));
   app.add_option("--config", arguments.config_files,
-                 "yaml files with groups blur_filter and mapping, later ones win")
+                 "yaml files with groups blur_filter, human_removal and mapping, later ones win")
       ->allow_extra_args(false);
-  app.add_option("--keypoints", arguments.keypoints,
-                 "keypoints of people; this version leaves people in, so only 'none'")
-      ->check(CLI::IsMember({"none"}))
-      ->capture_default_str();
+  app.add_option(
+      "--keypoints", arguments.keypoints,
+      "folder of OpenPose's JSON files, or 'none' (default: SOURCE/keypoints if there is "
+      "one, the simulator's own for sim:)");
+  app.add_option("--keypoint-rate", arguments.delivery.rate_hz,
+                 "uses keypoints of so many images per second (default: of all that have some)")
+      ->check(CLI::Range(0.01, 1000.0));
+  app.add_option("--keypoint-delay", arguments.delivery.delay_s,
+                 "lets keypoints arrive so many seconds later, in the time of the images")
+      ->check(CLI::Range(0.0, 100.0));
+  app.add_flag("--masks", arguments.save_masks, "writes what was taken for people to OUT/masks");
   app.add_option("--max-frames", arguments.max_frames, "ends after so many frames")
       ->check(CLI::PositiveNumber);
   app.add_option("--threads", arguments.num_threads, "threads to use")

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 #include <vector>
 
@@ -78,7 +79,11 @@ std::string ReportJson(const OfflineRun& run, const SystemConfig& config) {
                       {"dropped_blur", run.Count(FrameState::kDroppedBlur)},
                       {"tracked", run.Count(FrameState::kTracked)},
                       {"lost", run.Count(FrameState::kLost)},
-                      {"unreadable", run.errors.size()}};
+                      {"unreadable", run.num_bad_frames}};
+  report["keypoints"] = {{"arrived", run.num_keypoints},
+                         {"used", run.keypoints.used},
+                         {"unmatched", run.keypoints.unmatched}};
+  report["frames"]["with_people"] = run.num_frames_with_people;
   report["keyframes"] = 0;
   report["loops"] = {{"local", 0}, {"global", 0}};
   report["relocalisations"] = 0;
@@ -111,6 +116,15 @@ void WriteRunOutput(const OfflineRun& run, const SystemConfig& config, const std
     }
   }
   if (first_error) std::rethrow_exception(first_error);
+}
+
+MaskWriter::MaskWriter(std::string folder) : folder_(std::move(folder)) {
+  PrepareOutputFolder(folder_);
+}
+
+void MaskWriter::operator()(StampNs stamp_ns, const cv::Mat& mask) const {
+  const std::string path = folder_ + "/" + FormatStamp(stamp_ns) + ".png";
+  if (!cv::imwrite(path, mask)) throw std::runtime_error(path + ": cannot be written");
 }
 
 }  // namespace posefusion

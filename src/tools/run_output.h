@@ -17,4 +17,15 @@ void WriteRunOutput(const OfflineRun& run, const SystemConfig& config, const std
 /// report.json as text.
 std::string ReportJson(const OfflineRun& run, const SystemConfig& config);
 
+/// Writes person masks (CV_8UC1) as <stamp>.png into `folder`, which is made.
+/// @throws std::runtime_error naming what cannot be written, at once or when called.
+class MaskWriter {
+ public:
+  explicit MaskWriter(std::string folder);
+  void operator()(StampNs stamp_ns, const cv::Mat& mask) const;
+
+ private:
+  std::string folder_;
+};
+
 }  // namespace posefusion

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "posefusion/simulation/folder_writer.h"
+#include "posefusion/simulation/sim_keypoints.h"
 #include "posefusion/simulation/simulator.h"
 #include "posefusion_ros/simulation_bag.h"
 #include "tools/interrupt.h"
@@ -69,7 +70,7 @@ bool Simulate(const Arguments& arguments) {
   while (const auto frame = simulator.Next()) {
     if (pf::interrupted) return false;
     folder.Write(*frame, simulator);
-    if (bag) bag->Write(frame->frame);
+    if (bag) bag->Write(frame->frame, pf::KeypointsAsWritten(*frame, simulator));
     progress.Update(frame->index + 1);
   }
   progress.Finish();

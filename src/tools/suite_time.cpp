@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "posefusion/dataset/text_lines.h"
+#include "posefusion/common/text_lines.h"
 
 namespace posefusion {
 namespace {

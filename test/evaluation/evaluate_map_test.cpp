@@ -54,6 +54,24 @@ TEST_F(EvaluateMapTest, PrintsTheFiguresAndWritesThem) {
   EXPECT_EQ(json.at("ghosts").at("people").at("count").get<int>(), 0);
 }
 
+TEST_F(EvaluateMapTest, ReadsWhatWasMoved) {
+  const std::string options = Files() + " --out " + (folder_ / "out");
+  const auto ghosts = [&] {
+    EXPECT_EQ(RunProgram(EVALUATE_MAP, options).exit_code, 0);
+    const auto json = nlohmann::json::parse(ReadWholeFile(folder_ / "out/map_evaluation.json"));
+    return json.at("ghosts").at("off_surface").at("count").get<int>();
+  };
+  SurfelCloud map = WallMap(0.01F);
+  AddSurfel({1, 0.5F, 0.5F}, -Eigen::Vector3f::UnitX(), map);
+  WritePly(map, folder_ / "run/map.ply");
+  EXPECT_EQ(ghosts(), 1);
+  MovedSurfaces screen{"screen", kRoomStartNs + 1'000, kRoomStartNs + 2'000, {}, {}, {}};
+  AddRectangle({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, screen.before);
+  AddRectangle({0, 0, 0}, {0, 1, 0}, {0, 0, 1}, screen.after);
+  WriteMovedObjects({screen}, folder_ / "truth");
+  EXPECT_EQ(ghosts(), 0);
+}
+
 TEST_F(EvaluateMapTest, OnlyFramesOfTheRunCountAsSeen) {
   WriteFileAtomically(folder_ / "truth/rgb.txt", "1.0 a.png\n1.666667 b.png\n");
   const std::string both = RunProgram(EVALUATE_MAP, Files()).output;

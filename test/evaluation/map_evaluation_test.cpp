@@ -136,6 +136,35 @@ TEST(MapEvaluation, GhostsHaveTheAreaOfTheirDiscs) {
   EXPECT_NEAR(evaluation.people.value().area_cm2, M_PI * 4, 0.1);
 }
 
+TEST(MapEvaluation, AMovedThingIsASurfaceWhereAndWhileItStands) {
+  MapTruth truth = RoomTruth();
+  MovedSurfaces screen{"screen", kRoomStartNs + 200'000'000, kRoomStartNs + 400'000'000, {}, {},
+                       {}};
+  AddRectangle({1, -1, -1}, {0, 1, 0}, {0, 0, 1}, screen.before);
+  AddRectangle({1, 0, -1}, {0, 1, 0}, {0, 0, 1}, screen.after);
+  const Eigen::Vector3f n = -Eigen::Vector3f::UnitX();
+  const Eigen::Vector3f first(1.01F, -0.5F, -0.5F);
+  const Eigen::Vector3f second(1.01F, 0.5F, -0.5F);
+  SurfelCloud map;
+  for (const StampNs after_ns : {0, 300'000'000, 500'000'000}) {
+    AddSurfel(first, n, map, kRoomStartNs + after_ns);
+    AddSurfel(second, n, map, kRoomStartNs + after_ns);
+  }
+  EXPECT_EQ(EvaluateMap(map, truth.trajectory, truth).off_surface.count, 6);
+  truth.moved = {screen};
+  EXPECT_EQ(EvaluateMap(map, truth.trajectory, truth).off_surface.count, 4);
+  truth.moved.front().after = screen.before;  // it comes back: only the moment of the move is left
+  EXPECT_EQ(EvaluateMap(map, truth.trajectory, truth).off_surface.count, 4);
+}
+
+TEST(MapEvaluation, MovedThingsNeedNotBeInTheMap) {
+  MapTruth truth = RoomTruth();
+  const double before_m2 = EvaluateMap({}, truth.trajectory, truth).seen_m2;
+  truth.moved.push_back({"screen", kRoomStartNs, kRoomStartNs, {}, {}, {}});
+  AddRectangle({1, -1, -1}, {0, 2, 0}, {0, 0, 2}, truth.moved.back().before);
+  EXPECT_EQ(EvaluateMap({}, truth.trajectory, truth).seen_m2, before_m2);
+}
+
 TEST(MapEvaluation, EmptyMapHasNoErrorsAndNothingInIt) {
   const MapTruth truth = RoomTruth();
   const MapEvaluation evaluation = EvaluateMap({}, truth.trajectory, truth);

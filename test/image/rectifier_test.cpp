@@ -94,7 +94,9 @@ TEST(Rectifier, OutsideIsBlackWithoutDepthAndNobody) {
   const RgbdFrame rectified = rectifier.Rectify(frame);
   EXPECT_EQ(rectified.depth_m.at<float>(0, 0), 0);
   EXPECT_EQ(rectified.rgb.at<cv::Vec3b>(0, 0), cv::Vec3b(0, 0, 0));
-  EXPECT_EQ(rectifier.RectifyMask(cv::Mat(480, 640, CV_8UC1, cv::Scalar(255))).at<uchar>(0, 0), 0);
+  EXPECT_EQ(rectifier.Rectify(PeopleInFrame{cv::Mat(480, 640, CV_8UC1, cv::Scalar(255)), {}})
+                .mask.at<uchar>(0, 0),
+            0);
   cv::Mat valid;
   cv::inRange(rectified.depth_m, 1.999, 2.001, valid);
   EXPECT_EQ(cv::countNonZero(valid), cv::countNonZero(rectified.depth_m)) << "depths were mixed";
@@ -107,7 +109,7 @@ TEST(Rectifier, WithoutDistortionNothingIsCopied) {
   const Rectifier rectifier(camera);
   EXPECT_EQ(rectifier.Rectify(frame).rgb.data, frame.rgb.data);
   EXPECT_EQ(rectifier.Rectify(frame).depth_m.data, frame.depth_m.data);
-  EXPECT_EQ(rectifier.RectifyMask(mask).data, mask.data);
+  EXPECT_EQ(rectifier.Rectify(PeopleInFrame{mask, {}}).mask.data, mask.data);
 }
 
 TEST(Rectifier, EarlierFramesStayAsTheyWere) {
@@ -128,8 +130,9 @@ TEST(Rectifier, RefusesAnotherCamera) {
   CameraModel other = Freiburg1();
   other.fx += 1;
   EXPECT_THROW(rectifier.Rectify(RampFrame(other)), std::invalid_argument);
-  EXPECT_THROW(rectifier.RectifyMask(cv::Mat(10, 10, CV_8UC1)), std::invalid_argument);
-  EXPECT_TRUE(rectifier.RectifyMask(cv::Mat()).empty());
+  EXPECT_THROW(rectifier.Rectify(PeopleInFrame{cv::Mat(10, 10, CV_8UC1), {}}),
+               std::invalid_argument);
+  EXPECT_TRUE(rectifier.Rectify(PeopleInFrame{}).mask.empty());
   EXPECT_THROW(Rectifier(CameraModel{}), std::invalid_argument);
 }
 

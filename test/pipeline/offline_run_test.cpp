@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "posefusion/dataset/trajectory_file.h"
+#include "posefusion/skeleton/arrival_queue.h"
 #include "test/support/rendered_source.h"
 
 namespace posefusion {
@@ -83,6 +84,41 @@ TEST(OfflineRun, StopsWhenAskedAndKeepsWhatThereIs) {
   const OfflineRun run = RunOffline(source, SystemConfig(), 2, hooks);
   EXPECT_EQ(run.trajectory.size(), 7U);
   EXPECT_GT(run.num_surfels, 0U);
+}
+
+/// Keypoints of every frame two frames late; those of the frame with index 3 are bad.
+class LateSkeletons : public SkeletonSource {
+ public:
+  void Offer(const RgbdFrame& frame) override {
+    const int index = num_offered_++;
+    if (index == 3) throw std::runtime_error("3.json: malformed");
+    const StampNs arrival_ns = frame.stamp_ns + 2 * testing::kRenderedInterval;
+    waiting_.Add({frame.stamp_ns, SkeletonLayout::kCoco18, {}, arrival_ns});
+  }
+  std::vector<Skeletons> Take(StampNs now_ns) override { return waiting_.Take(now_ns); }
+  std::vector<std::string> TakeNotes() override {
+    return num_offered_ == 5 ? std::vector<std::string>{"note"} : std::vector<std::string>();
+  }
+  SkeletonCounts counts() const override { return {num_offered_, 0}; }
+
+ private:
+  ArrivalQueue waiting_;
+  int num_offered_ = 0;
+};
+
+TEST(OfflineRun, TakesKeypointsAtTheirArrivalAndSurvivesBadOnes) {
+  RenderedSource source(12);
+  LateSkeletons skeletons;
+  std::vector<std::string> notes;
+  OfflineRunHooks hooks;
+  hooks.on_note = [&](const std::string& text) { notes.push_back(text); };
+  const OfflineRun run = RunOffline(source, SystemConfig(), 2, hooks, &skeletons);
+  EXPECT_EQ(skeletons.counts().frames_with_keypoints, 12) << "every frame, also blurred ones";
+  EXPECT_EQ(run.num_keypoints, 12 - 2 - 1);
+  EXPECT_EQ(run.errors, std::vector<std::string>{"3.json: malformed"});
+  EXPECT_EQ(run.num_bad_frames, 0);
+  EXPECT_EQ(run.frames.size(), 12U);
+  EXPECT_EQ(notes, std::vector<std::string>{"note"});
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "posefusion_ros/nodelets/blur_filter_config.h"
 #include "posefusion_ros/nodelets/mapping_config.h"
+#include "posefusion_ros/nodelets/skeleton_ingest_config.h"
 #include "posefusion_ros/parameter_reader.h"
 
 namespace posefusion {
@@ -72,6 +73,15 @@ TEST(Parameters, ShippedBlurFilterFileHoldsEveryKeyWithItsDefault) {
   BlurFilterNodeletConfig config;
   ApplyYaml(node, "blur_filter", config);
   EXPECT_EQ(Text(config), Text(BlurFilterNodeletConfig()));
+  EXPECT_EQ(CountKeys(node), CountKeys(ToYaml(config)));
+}
+
+TEST(Parameters, ShippedSkeletonIngestFileHoldsEveryKeyWithItsDefault) {
+  YAML::Node node = LoadYamlFile(kConfigDir + "/skeleton_ingest.yaml");
+  node["network"] = LoadYamlFile(kConfigDir + "/pose_network.yaml");
+  SkeletonIngestConfig config;
+  ApplyYaml(node, "skeleton_ingest", config);
+  EXPECT_EQ(Text(config), Text(SkeletonIngestConfig()));
   EXPECT_EQ(CountKeys(node), CountKeys(ToYaml(config)));
 }
 

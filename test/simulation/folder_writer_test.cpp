@@ -11,6 +11,7 @@
 #include "posefusion/dataset/trajectory_file.h"
 #include "posefusion/dataset/tum_folder_source.h"
 #include "posefusion/simulation/sim_source.h"
+#include "posefusion/skeleton/openpose_json.h"
 #include "test/support/temporary_folder.h"
 
 namespace posefusion {
@@ -90,7 +91,7 @@ TEST(FolderWriter, WritesTheSameFilesForAnyNumberOfThreads) {
         "odometry.txt", "imu.txt", "joint_states.txt", "tf.txt", "blur.txt", "events.txt",
         "moved_objects.txt", "people_capsules.txt", "world.ply", "simulation.yaml",
         "rgb/1000000000.000000.png", "labels/1000000000.000000.png",
-        "keypoints/1000000000.000000.json"}) {
+        "keypoints/1000000000.000000.json", "joints/1000000000.000000.json"}) {
     EXPECT_EQ(one.count(name), 1u) << name;
   }
 }
@@ -115,6 +116,16 @@ TEST(FolderWriter, TruthCoversEveryFrame) {
   EXPECT_GT(truth.back().stamp_ns, SimulationStamp(0.2));
   EXPECT_NEAR(SecondsBetween(truth[0].stamp_ns, truth[1].stamp_ns), 0.005, 1e-9);
   EXPECT_GT(ReadMesh(folder / "run/world.ply").triangles.size(), 100u);
+}
+
+TEST(FolderWriter, JointsAreThoseOfThePeopleInEveryFrame) {
+  const TemporaryFolder folder;
+  WriteRun(folder / "run", ShortRun(), 2);
+  Simulator simulator(ShortRun(), 2);
+  while (const auto frame = simulator.Next()) {
+    const std::string name = "run/joints/" + FormatStamp(frame->frame.stamp_ns) + ".json";
+    EXPECT_EQ(ReadWholeFile(folder / name), ToOpenPoseJson(PerfectKeypoints(frame->people)));
+  }
 }
 
 TEST(FolderWriter, HandheldCameraHasNoOdometry) {

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
 #include "posefusion/common/lie.h"
 #include "posefusion/simulation/simulation_config.h"
 
@@ -10,11 +14,11 @@ namespace {
 
 constexpr double kSeconds = 60;
 
-Mover MoverOf(const std::string& preset, int seed) {
+Mover MoverOf(const std::string& preset, int seed, double seconds = kSeconds) {
   SimulationConfig config;
   config.preset = preset;
   config.seed = seed;
-  config.seconds = kSeconds;
+  config.seconds = seconds;
   return MakeMover(CheckedConfig(config));
 }
 
@@ -23,23 +27,54 @@ Eigen::Isometry3d ImpliedMapOdom(const RobotMotion& robot, const Odometry& odome
   return robot.T_map_body(t) * odometry.T_odom_body(t).inverse();
 }
 
-TEST(Odometry, DriftsByAFewPercentOfTheWay) {
-  double drift = 0;
-  double way = 0;
-  for (int seed = 1; seed <= 8; ++seed) {
-    const Mover mover = MoverOf("hrp_loop", seed);
-    const Odometry odometry({}, *mover.robot, seed, kSeconds);
-    const Eigen::Isometry3d start = mover.robot->T_map_footprint(0);
-    const Eigen::Isometry3d believed = start * odometry.T_odom_footprint(kSeconds);
-    drift += (believed.translation() - mover.robot->T_map_footprint(kSeconds).translation()).norm();
-    for (double t = 0; t < kSeconds; t += 0.1) {
-      way += (mover.robot->T_map_footprint(t + 0.1).translation() -
-              mover.robot->T_map_footprint(t).translation())
-                 .norm();
-    }
+/// Errors of odometry over each stretch of a run that is `stretch_m` long, as shares of it.
+std::vector<double> DriftOver(double stretch_m, const std::string& preset, int seed) {
+  const Mover mover = MoverOf(preset, seed, 0);
+  const double seconds = FindPreset(preset).seconds;
+  const Odometry odometry({}, *mover.robot, seed, seconds);
+  const auto truth = [&](double t) { return mover.robot->T_map_footprint(t); };
+  std::vector<double> drift;
+  double start_s = 0;
+  double way_m = 0;
+  for (double t = 0; t < seconds; t += 0.1) {
+    way_m += (truth(t + 0.1).translation() - truth(t).translation()).norm();
+    if (way_m < stretch_m) continue;
+    const Eigen::Isometry3d walked = truth(start_s).inverse() * truth(t);
+    const Eigen::Isometry3d believed =
+        odometry.T_odom_footprint(start_s).inverse() * odometry.T_odom_footprint(t);
+    drift.push_back((believed.translation() - walked.translation()).norm() / way_m);
+    start_s = t;
+    way_m = 0;
   }
-  EXPECT_GT(drift / way, 0.01);
-  EXPECT_LT(drift / way, 0.06);
+  return drift;
+}
+
+double MeanOf(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+TEST(Odometry, DriftsByTwoToThreePercentOverFiveMetres) {
+  for (const char* preset : {"hrp_loop", "hrp_room", "corridor"}) {
+    std::vector<double> drift;
+    for (int seed = 1; seed <= 16; ++seed) {
+      const auto own = DriftOver(5, preset, seed);
+      drift.insert(drift.end(), own.begin(), own.end());
+    }
+    EXPECT_GT(MeanOf(drift), 0.013) << preset;
+    EXPECT_LT(MeanOf(drift), 0.035) << preset;
+  }
+}
+
+TEST(Odometry, DriftsFasterThanTheWayGrows) {
+  std::vector<double> drift;
+  for (int seed = 1; seed <= 20; ++seed) {
+    const auto own = DriftOver(90, "corridor", seed);
+    drift.insert(drift.end(), own.begin(), own.end());
+  }
+  EXPECT_EQ(drift.size(), 20U);
+  EXPECT_GT(MeanOf(drift), 0.035);
+  EXPECT_LT(MeanOf(drift), 0.07);
+  EXPECT_LT(*std::max_element(drift.begin(), drift.end()), 0.12);
 }
 
 TEST(Odometry, IsContinuousAndRightOverShortTimes) {

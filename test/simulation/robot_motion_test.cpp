@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <map>
+
 #include "posefusion/simulation/simulation_config.h"
 #include "test/simulation/motion_statistics.h"
 
@@ -141,6 +143,27 @@ TEST(RobotMotion, FallsByAboutAMetreInLessThanASecond) {
         EXPECT_GT(HeightAt(*mover.head, t), 0.1) << "through the floor";
       }
     }
+  }
+}
+
+TEST(RobotMotion, LiesFacingFloorWallOrPasserBy) {
+  constexpr double kDownwards = -0.5;  // z of the line of sight
+  constexpr double kLevel = 0.5;
+  std::map<FallView, int> count;
+  for (int seed = 1; seed <= 6; ++seed) {
+    const Mover mover = MoverOf("hrp_falls", seed);
+    for (const Fall& fall : mover.robot->falls()) {
+      ++count[fall.view];
+      const double slope = mover.head->T_map_camera(fall.raise_s() - 0.5).linear()(2, 2);
+      if (fall.view == FallView::kFloor) {
+        EXPECT_LT(slope, kDownwards) << "seed " << seed << " at " << fall.start_s;
+      } else {
+        EXPECT_LT(std::abs(slope), kLevel) << "seed " << seed << " at " << fall.start_s;
+      }
+    }
+  }
+  for (const FallView view : {FallView::kFloor, FallView::kWall, FallView::kPasserBy}) {
+    EXPECT_GE(count[view], 5);
   }
 }
 

@@ -6,6 +6,8 @@
 #include <stdexcept>
 
 #include "posefusion/simulation/floor_grid.h"
+#include "posefusion/simulation/simulator.h"
+#include "posefusion/simulation/true_meshes.h"
 #include "test/simulation/turning_head.h"
 
 namespace posefusion {
@@ -112,6 +114,45 @@ TEST(World, NothingMovesWithoutPeople) {
   EXPECT_TRUE(world.moved_objects().empty());
   for (int i = 0; i < world.num_movables(); ++i) {
     EXPECT_TRUE(world.T_map_movable(i, 0).isApprox(world.T_map_movable(i, 50)));
+  }
+}
+
+TEST(TrueMeshes, ThingsThatStayBelongToTheRoom) {
+  const World world(Config(0));
+  std::size_t num_triangles = world.static_mesh().triangles.size();
+  for (int i = 0; i < world.num_movables(); ++i) {
+    num_triangles += world.movable_mesh(i).triangles.size();
+  }
+  const TriangleMesh mesh = UnmovedSurfaces(world);
+  EXPECT_EQ(mesh.triangles.size(), num_triangles);
+  const Eigen::Vector3f last = (world.T_map_movable(world.num_movables() - 1, 0).cast<float>() *
+                                world.movable_mesh(world.num_movables() - 1).vertices.back());
+  EXPECT_LT((mesh.vertices.back() - last).norm(), 1e-6F);
+  EXPECT_EQ(mesh.triangles.back().maxCoeff() + 1, static_cast<int>(mesh.vertices.size()));
+  EXPECT_TRUE(MovedSurfacesOf(world).empty());
+}
+
+TEST(TrueMeshes, MovedThingsHaveASurfaceAtBothPlaces) {
+  const World world(Config(1));
+  const auto surfaces = MovedSurfacesOf(world);
+  ASSERT_EQ(surfaces.size(), world.moved_objects().size());
+  ASSERT_FALSE(surfaces.empty());
+  std::size_t num_triangles = UnmovedSurfaces(world).triangles.size();
+  for (const MovedSurfaces& object : surfaces) {
+    const Eigen::Vector3f way = object.after.vertices.front() - object.before.vertices.front();
+    EXPECT_LT((way - object.offset_m.cast<float>()).norm(), 1e-5F) << object.name;
+    EXPECT_GT(way.norm(), 0.3F) << object.name;
+    EXPECT_LT(object.begin_ns, object.end_ns);
+    num_triangles += object.before.triangles.size();
+  }
+  EXPECT_EQ(num_triangles, UnmovedSurfaces(World(Config(0))).triangles.size());
+}
+
+TEST(TrueMeshes, WhatIsMovedAfterTheRunStays) {
+  for (const double seconds : {2.0, 10.0, 25.0}) {
+    for (const MovedObject& object : World(Config(1, 1, seconds)).moved_objects()) {
+      EXPECT_LT(object.from_s, seconds);
+    }
   }
 }
 

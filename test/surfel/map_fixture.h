@@ -23,7 +23,7 @@ class MapFixture {
   FusionCounts Fuse(const RenderedRoom& room, const Eigen::Isometry3d& T_map_camera,
                     const cv::Mat& mask = cv::Mat()) {
     stamp_ns_ += kFrameInterval;
-    builder_.Build(room.Render(SmallCamera(), T_map_camera, stamp_ns_), mask, parallel_, pyramid_);
+    builder_.Build(room.Render(SmallCamera(), T_map_camera, stamp_ns_), {mask, {}}, parallel_, pyramid_);
     return fuser_.Fuse(pyramid_, {T_map_camera, T_map_camera}, 1, parallel_, map);
   }
 

@@ -1,10 +1,15 @@
 #include <gtest/gtest.h>
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
 #include <sys/wait.h>
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
 #include "posefusion/common/atomic_file.h"
+#include "posefusion/skeleton/openpose_json.h"
+#include "test/support/rendered_folder.h"
 #include "test/support/temporary_folder.h"
 #include "test/support/test_data.h"
 
@@ -30,6 +35,27 @@ TEST(DatasetToBag, MissingFolderIsNamedAndExitsWithOne) {
   EXPECT_EQ(Execute("/nonexistent/run " + (folder / "a.bag"), folder / "log"), 1);
   EXPECT_NE(ReadWholeFile(folder / "log").find("/nonexistent/run"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(folder / "a.bag"));
+}
+
+TEST(DatasetToBag, KeypointsComeInAtTheirArrival) {
+  const TemporaryFolder folder;
+  testing::WriteRenderedFolder(folder / "data", 3);
+  std::filesystem::create_directories(folder / "keypoints");
+  std::ofstream(folder / "keypoints/1.0.json") << ToOpenPoseJson({Skeleton{}});
+  std::ofstream(folder / "keypoints/arrival.txt") << "1.0 1.5\n";
+  const std::string arguments =
+      (folder / "data ") + (folder / "a.bag") + " --keypoints " + (folder / "keypoints");
+  ASSERT_EQ(Execute(arguments, folder / "log"), 0) << ReadWholeFile(folder / "log");
+  const rosbag::Bag bag(folder / "a.bag");
+  rosbag::View view(bag, rosbag::TopicQuery("/skeletons_in"));
+  ASSERT_EQ(view.size(), 1U);
+  EXPECT_EQ(view.begin()->getTime(), ros::Time(1, 500'000'000));
+
+  EXPECT_EQ(Execute((folder / "data ") + (folder / "b.bag") + " --keypoints /nonexistent/keypoints",
+                    folder / "log"),
+            1);
+  EXPECT_NE(ReadWholeFile(folder / "log").find("/nonexistent/keypoints"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder / "b.bag"));
 }
 
 TEST(DatasetToBag, BagThatCannotBeWrittenIsNamedAndExitsWithOne) {

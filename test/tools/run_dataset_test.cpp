@@ -9,6 +9,7 @@
 #include "posefusion/common/atomic_file.h"
 #include "posefusion/dataset/ply_file.h"
 #include "posefusion/dataset/trajectory_file.h"
+#include "posefusion/skeleton/openpose_json.h"
 #include "test/support/rendered_folder.h"
 #include "test/support/temporary_folder.h"
 
@@ -32,6 +33,14 @@ class RunDataset : public ::testing::Test {
   }
   bool LogHas(const std::string& text) const {
     return ReadWholeFile(folder_ / "log").find(text) != std::string::npos;
+  }
+  /// Nobody seen in any frame.
+  void WriteKeypoints(const std::string& subfolder) const {
+    std::filesystem::create_directories(folder_ / subfolder);
+    for (int n = 0; n < kFrames; ++n) {
+      const std::string stamp = FormatStamp(1'000'000'000 + n * testing::kRenderedInterval);
+      std::ofstream((folder_ / subfolder) + "/" + stamp + ".json") << ToOpenPoseJson({});
+    }
   }
   /// The n-th image of data/SUBFOLDER in the order of stamps.
   std::string Image(const std::string& subfolder, int n) const {
@@ -142,6 +151,40 @@ TEST_F(RunDataset, AllZeroDepthIsLostNotGuessed) {
   EXPECT_EQ(ReadTrajectory(folder_ / "out/trajectory.txt").size(), 5U);
   const auto report = nlohmann::json::parse(ReadWholeFile(folder_ / "out/report.json"));
   EXPECT_EQ(report["frames"]["lost"], kFrames - 5);
+}
+
+TEST_F(RunDataset, KeypointsBesideTheImagesAreUsedUnlessNoneAreWanted) {
+  WriteKeypoints("data/keypoints");
+  const auto arrived = [&](const std::string& options) {
+    EXPECT_EQ(RunInto("out", options), 0) << ReadWholeFile(folder_ / "log");
+    const auto report = nlohmann::json::parse(ReadWholeFile(folder_ / "out/report.json"));
+    return report["keypoints"]["arrived"].get<int>();
+  };
+  EXPECT_EQ(arrived(""), kFrames);
+  EXPECT_EQ(arrived("--keypoints none"), 0);
+  EXPECT_EQ(arrived("--keypoint-rate 15"), kFrames / 2);
+  EXPECT_EQ(arrived("--keypoint-delay 0.09"), kFrames - 3);
+  std::filesystem::rename(folder_ / "data/keypoints", folder_ / "elsewhere");
+  EXPECT_EQ(arrived(""), 0);
+  EXPECT_EQ(arrived("--keypoints " + (folder_ / "elsewhere")), kFrames);
+}
+
+TEST_F(RunDataset, BadKeypointsAreNamedAndTheFramesAreUsed) {
+  WriteKeypoints("data/keypoints");
+  const std::string bad =
+      "data/keypoints/" + FormatStamp(1'000'000'000 + 4 * testing::kRenderedInterval) + ".json";
+  std::ofstream(folder_ / bad) << "{\"people\":[{\"pose_keypoints_2d\":[1,2,3]}]}";
+  EXPECT_EQ(RunInto("out"), 1);
+  EXPECT_TRUE(LogHas(bad + ": pose_keypoints_2d has 3 numbers"));
+  EXPECT_EQ(ReadTrajectory(folder_ / "out/trajectory.txt").size(), kFrames);
+  const auto report = nlohmann::json::parse(ReadWholeFile(folder_ / "out/report.json"));
+  EXPECT_EQ(report["frames"]["unreadable"], 0);
+  EXPECT_EQ(report["keypoints"]["arrived"], kFrames - 1);
+}
+
+TEST_F(RunDataset, MissingKeypointFolderIsNamedBeforeTheRun) {
+  EXPECT_EQ(RunInto("out", "--keypoints /nonexistent/keypoints"), 1);
+  EXPECT_TRUE(LogHas("/nonexistent/keypoints"));
 }
 
 TEST_F(RunDataset, CtrlCSavesWhatThereIs) {

@@ -52,7 +52,7 @@ class TrackerTest : public ::testing::Test {
   void Prepare(const RenderedRoom& room, const Eigen::Isometry3d& pose,
                const cv::Mat& mask = cv::Mat()) {
     stamp_ns_ += kFrameInterval;
-    builder_.Build(room.Render(testing::SmallCamera(), pose, stamp_ns_), mask, parallel_, pyramid_);
+    builder_.Build(room.Render(testing::SmallCamera(), pose, stamp_ns_), {mask, {}}, parallel_, pyramid_);
   }
 
   TrackingResult Track(const RenderedRoom& room, const Eigen::Isometry3d& pose,
@@ -189,7 +189,7 @@ TEST_F(TrackerTest, BrightnessMayChange) {
   const Vector6d twist = (Vector6d() << 0.02, 0.01, 0, 0.01, 0.01, 0).finished();
   RgbdFrame frame = RenderedRoom::Furnished().Render(testing::SmallCamera(), Moved(twist), 1 << 30);
   frame.rgb.convertTo(frame.rgb, -1, 1.0, 15);
-  builder_.Build(frame, cv::Mat(), parallel_, pyramid_);
+  builder_.Build(frame, {}, parallel_, pyramid_);
   ExpectPose(tracker_->Track(pyramid_, view_, parallel_), Moved(twist));
 }
 

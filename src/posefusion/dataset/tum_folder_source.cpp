@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "posefusion/common/association.h"
+#include "posefusion/common/text_lines.h"
 #include "posefusion/dataset/image_file.h"
-#include "posefusion/dataset/text_lines.h"
 #include "posefusion/image/depth_units.h"
 
 namespace posefusion {
@@ -69,8 +69,9 @@ void TumFolderSource::ListEntries(const std::string& folder, const TumFolderOpti
   for (const StampMatch& match : matches) {
     if (rgb.stamps_ns[match.first] < start_ns) continue;
     if (options.max_frames > 0 && static_cast<int>(entries_.size()) == options.max_frames) break;
-    entries_.push_back({rgb.stamps_ns[match.first], depth.stamps_ns[match.second],
-                        rgb.paths[match.first], depth.paths[match.second]});
+    entries_.push_back({static_cast<int>(match.first), rgb.stamps_ns[match.first],
+                        depth.stamps_ns[match.second], rgb.paths[match.first],
+                        depth.paths[match.second]});
   }
 }
 
@@ -80,6 +81,7 @@ std::optional<RgbdFrame> TumFolderSource::Next() {
   RgbdFrame frame;
   frame.stamp_ns = entry.rgb_stamp_ns;
   frame.depth_stamp_ns = entry.depth_stamp_ns;
+  frame.index = entry.rgb_index;
   frame.camera = camera_file_.camera;
   frame.rgb = ReadColourImage(entry.rgb_path);
   CheckSize(frame.rgb, frame.camera, entry.rgb_path);

@@ -32,6 +32,7 @@ class TumFolderSource : public FrameSource {
 
  private:
   struct Entry {
+    int rgb_index = 0;  ///< in rgb.txt
     StampNs rgb_stamp_ns = 0;
     StampNs depth_stamp_ns = 0;
     std::string rgb_path;

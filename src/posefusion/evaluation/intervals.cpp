@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "posefusion/dataset/text_lines.h"
+#include "posefusion/common/text_lines.h"
 
 namespace posefusion {
 namespace {

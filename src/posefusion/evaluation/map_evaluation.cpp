@@ -12,8 +12,8 @@
 #include "posefusion/evaluation/completeness.h"
 #include "posefusion/evaluation/coverage.h"
 #include "posefusion/evaluation/map_alignment.h"
-#include "posefusion/evaluation/mesh_index.h"
 #include "posefusion/evaluation/people_presence.h"
+#include "posefusion/evaluation/true_surfaces.h"
 
 namespace posefusion {
 namespace {
@@ -54,11 +54,13 @@ std::vector<PlacedSurfel> PlaceStable(const SurfelCloud& map, const Trajectory& 
   return surfels;
 }
 
-void MeasureErrors(const MeshIndex& mesh, const ParallelRunner& runner,
+void MeasureErrors(const TrueSurfaces& surfaces, const ParallelRunner& runner,
                    std::vector<PlacedSurfel>& surfels) {
   runner.ForEachRange(static_cast<int>(surfels.size()), kGrain, [&](int begin, int end) {
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-      surfels[i].error_m = static_cast<double>(mesh.Distance(surfels[i].disc.center));
+      PlacedSurfel& surfel = surfels[i];
+      surfel.error_m =
+          static_cast<double>(surfaces.Distance(surfel.disc.center, surfel.last_seen_ns));
     }
   });
 }
@@ -95,11 +97,11 @@ std::vector<Eigen::Isometry3d> TrueViews(const MapTruth& truth, double period_s)
 }
 
 void MeasureCompleteness(const std::vector<PlacedSurfel>& surfels, const MapTruth& truth,
-                         const MeshIndex& mesh, const MapEvaluationConfig& config,
+                         const MeshIndex& world, const MapEvaluationConfig& config,
                          const ParallelRunner& runner, MapEvaluation& result) {
   const Views views{truth.camera, TrueViews(truth, config.view_period_s), config.near_m};
   const auto samples = SampleSurface(truth.world, config.samples_per_m2, config.seed);
-  const auto seen = SeenPoints(samples, mesh, views, runner);
+  const auto seen = SeenPoints(samples, world, views, runner);
   std::vector<Disc> discs;
   for (const PlacedSurfel& surfel : surfels) discs.push_back(surfel.disc);
   const int num_covered = CountCovered(seen, discs, config.covered_distance_m, runner);
@@ -141,6 +143,8 @@ MapTruth ReadTruth(const fs::path& folder, const fs::path& frames_beside_map) {
   for (const fs::path& frames : {frames_beside_map, folder / "rgb.txt"}) {
     if (truth.frames_ns.empty() && fs::exists(frames)) truth.frames_ns = ReadExpectedFrames(frames);
   }
+  const fs::path moved = folder / "moved_objects.txt";
+  if (fs::exists(moved)) truth.moved = ReadMovedObjects(moved);
   const fs::path people = folder / "people_capsules.txt";
   if (fs::exists(people)) truth.people = ReadPeople(people);
   const fs::path events = folder / "events.txt";
@@ -157,16 +161,16 @@ MapEvaluation EvaluateMap(const SurfelCloud& map, const Trajectory& estimate, co
   CheckRanges("evaluate_map", config);
   const AbsoluteError error = ComputeAbsoluteError(truth.trajectory, estimate, truth.excluded);
   const ParallelRunner runner(config.num_threads);
-  const MeshIndex mesh(truth.world);
+  const TrueSurfaces surfaces(truth.world, truth.moved);
   MapEvaluation result;
   result.T_truth_map = AlignViews(error);
   result.num_pairs = static_cast<int>(error.pairs.size());
   auto surfels = PlaceStable(map, estimate, result.T_truth_map, config.min_confidence);
   result.num_surfels = static_cast<int>(map.size());
   result.num_stable = static_cast<int>(surfels.size());
-  MeasureErrors(mesh, runner, surfels);
+  MeasureErrors(surfaces, runner, surfels);
   SummarizeErrors(surfels, config, result);
-  MeasureCompleteness(surfels, truth, mesh, config, runner, result);
+  MeasureCompleteness(surfels, truth, surfaces.world(), config, runner, result);
   FindGhosts(surfels, truth, config, result);
   return result;
 }

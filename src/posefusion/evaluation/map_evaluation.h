@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "posefusion/dataset/moved_objects_file.h"
 #include "posefusion/dataset/people_file.h"
 #include "posefusion/dataset/triangle_mesh.h"
 #include "posefusion/evaluation/absolute_error.h"
@@ -45,7 +46,8 @@ void Describe(V& v, MapEvaluationConfig& c) {
 
 /// What is true, in the frame of the truth.
 struct MapTruth {
-  TriangleMesh world;     ///< everything that does not move
+  TriangleMesh world;  ///< everything that is not moved during the run
+  std::vector<MovedSurfaces> moved;
   Trajectory trajectory;  ///< of the camera
   CameraModel camera;
   std::vector<StampNs> frames_ns;  ///< when the camera looked; empty: at all poses
@@ -83,8 +85,10 @@ struct MapEvaluation {
 /// Compares a surfel map with the truth. `estimate` are the poses that belong to the map, in stamp
 /// order. The map is laid upon the truth by the trajectories alone (see AlignViews), not by fitting
 /// surfaces, which would hide errors of the poses.
-/// How far a surfel was at its last measurement follows from the estimated pose nearest to that
-/// stamp (within 20 ms). People do not hide surfaces from the true camera.
+/// A thing that was moved is a surface for surfels last seen before it went, at its first place,
+/// and for those last seen after it came, at its second. It does not count for completeness. How
+/// far a surfel was at its last measurement follows from the estimated pose nearest to that stamp
+/// (within 20 ms). People do not hide surfaces from the true camera.
 /// @throws std::runtime_error when fewer than three poses are associated, std::invalid_argument for
 /// a setting out of range or a world without triangles.
 MapEvaluation EvaluateMap(const SurfelCloud& map, const Trajectory& estimate, const MapTruth& truth,
@@ -94,7 +98,8 @@ MapEvaluation EvaluateMap(const SurfelCloud& map, const Trajectory& estimate, co
 struct MapEvaluationFiles {
   std::string map;       ///< map.ply of run_dataset
   std::string truth;     ///< folder with world.ply, groundtruth.txt, camera.yaml and rgb.txt, and
-                         ///< people_capsules.txt and events.txt where there are any
+                         ///< moved_objects.txt, people_capsules.txt and events.txt where there are
+                         ///< any
   std::string estimate;  ///< poses of the map; default: trajectory.txt beside it
 };
 

@@ -1,6 +1,7 @@
 #include "posefusion/image/frame_pyramid.h"
 
 #include <algorithm>
+#include <opencv2/imgproc.hpp>
 
 #include "posefusion/common/simd.h"
 #include "posefusion/image/intensity_pyramid.h"
@@ -34,11 +35,9 @@ POSEFUSION_KERNEL void CutDepthRow(const float* depth, int width, float min_m, f
   }
 }
 
-void MaskRow(const std::uint8_t* mask, int width, float* grey, float* depth) {
+void MaskRow(const std::uint8_t* mask, int width, float value, float* pixels) {
   for (int x = 0; x < width; ++x) {
-    if (mask[x] == 0) continue;
-    grey[x] = kNoIntensity;
-    depth[x] = 0;
+    if (mask[x] != 0) pixels[x] = value;
   }
 }
 
@@ -76,7 +75,7 @@ void HalveDepth(const Grid<float>& fine, float sigmas, const DepthNoiseConfig& n
 PyramidBuilder::PyramidBuilder(const PyramidConfig& config, const DepthNoiseConfig& noise)
     : config_(config), noise_(noise), depth_filter_(config.depth_filter, noise) {}
 
-void PyramidBuilder::Build(const RgbdFrame& frame, const cv::Mat& mask,
+void PyramidBuilder::Build(const RgbdFrame& frame, const PeopleInFrame& people,
                            const ParallelRunner& parallel, FramePyramid& pyramid) {
   const int width = frame.camera.width;
   const int height = frame.camera.height;
@@ -98,11 +97,9 @@ void PyramidBuilder::Build(const RgbdFrame& frame, const cv::Mat& mask,
     for (int y = begin; y < end; ++y) {
       GreyRow(frame.rgb.ptr<std::uint8_t>(y), width, finest.intensity.row(y));
       CutDepthRow(frame.depth_m.ptr<float>(y), width, min_m, max_m, pyramid.raw_depth_m.row(y));
-      if (mask.empty()) continue;
-      MaskRow(mask.ptr<std::uint8_t>(y), width, finest.intensity.row(y),
-              pyramid.raw_depth_m.row(y));
     }
   });
+  TakeOutPeople(frame, people, parallel, pyramid);
   depth_filter_.Apply(pyramid.raw_depth_m, parallel, finest.depth_m);
   for (std::size_t l = 0; l < pyramid.levels.size(); ++l) {
     PyramidLevel& level = pyramid.levels[l];
@@ -116,6 +113,33 @@ void PyramidBuilder::Build(const RgbdFrame& frame, const cv::Mat& mask,
     if (l > 0) normals.step_px = 1;  // the pyramid has smoothed already
     ComputeNormals(level.depth_m, level.camera, normals, noise_, parallel, level.normals);
   }
+}
+
+void PyramidBuilder::TakeOutPeople(const RgbdFrame& frame, const PeopleInFrame& people,
+                                   const ParallelRunner& parallel, FramePyramid& pyramid) {
+  const int width = frame.camera.width;
+  const int height = frame.camera.height;
+  const cv::Mat& mask = people.mask;
+  const cv::Mat& depth_with_people_m = people.depth_m.empty() ? frame.depth_m : people.depth_m;
+  pyramid.person_depth_m.Resize(mask.empty() ? 0 : width, mask.empty() ? 0 : height);
+  if (mask.empty()) return;
+  const auto min_m = static_cast<float>(config_.min_depth_m);
+  const auto max_m = static_cast<float>(config_.max_depth_m);
+  const int side = 2 * config_.person_rim_px + 1;
+  cv::erode(mask, inner_mask_, cv::Mat::ones(side, side, CV_8UC1), {-1, -1}, 1, cv::BORDER_CONSTANT,
+            cv::Scalar::all(255));
+  Grid<float>& intensity = pyramid.levels.front().intensity;
+  parallel.ForEachRange(height, kRowsPerBlock, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      const auto* masked = mask.ptr<std::uint8_t>(y);
+      const auto* inner = inner_mask_.ptr<std::uint8_t>(y);
+      float* person = pyramid.person_depth_m.row(y);
+      CutDepthRow(depth_with_people_m.ptr<float>(y), width, min_m, max_m, person);
+      for (int x = 0; x < width; ++x) person[x] = inner[x] != 0 ? person[x] : 0.0F;
+      MaskRow(masked, width, 0.0F, pyramid.raw_depth_m.row(y));
+      if (config_.mask_rgb) MaskRow(masked, width, kNoIntensity, intensity.row(y));
+    }
+  });
 }
 
 }  // namespace posefusion

@@ -8,6 +8,7 @@
 #include "posefusion/image/depth_filter.h"
 #include "posefusion/image/depth_noise.h"
 #include "posefusion/image/normals.h"
+#include "posefusion/image/people_in_frame.h"
 #include "posefusion/image/rgbd_frame.h"
 
 namespace posefusion {
@@ -26,6 +27,7 @@ struct FramePyramid {
   StampNs depth_stamp_ns = 0;
   cv::Mat rgb;                       ///< as in the frame
   Grid<float> raw_depth_m;           ///< as in the frame within the cut-off, 0 = none or masked
+  Grid<float> person_depth_m;        ///< well inside the mask, 0 elsewhere; empty without a mask
   std::vector<PyramidLevel> levels;  ///< 0 = full resolution
 };
 
@@ -33,6 +35,8 @@ struct PyramidConfig {
   int num_levels = 5;        ///< resolutions, each half of the one before
   double min_depth_m = 0.3;  ///< nearer depth is ignored
   double max_depth_m = 5.0;  ///< depth cut-off: farther depth is ignored
+  bool mask_rgb = true;      ///< people are kept out of the intensities too, not only of the depth
+  int person_rim_px = 4;  ///< masked pixels this close to the mask's border may show something else
   DepthFilterConfig depth_filter;
   NormalConfig normals;
 };
@@ -42,6 +46,8 @@ void Describe(V& v, PyramidConfig& c) {
   v.Field("num_levels", c.num_levels, 1, 6);
   v.Field("min_depth_m", c.min_depth_m, 0.0, 10.0);
   v.Field("max_depth_m", c.max_depth_m, 0.1, 100.0);
+  v.Field("mask_rgb", c.mask_rgb);
+  v.Field("person_rim_px", c.person_rim_px, 0, 100);
   v.Group("depth_filter", c.depth_filter);
   v.Group("normals", c.normals);
 }
@@ -51,15 +57,19 @@ class PyramidBuilder {
  public:
   PyramidBuilder(const PyramidConfig& config, const DepthNoiseConfig& noise);
 
-  /// Fills `pyramid` from a frame without distortion. `mask` (CV_8UC1, 255 = leave out; may be
-  /// empty) removes depth and intensity at every level that touches it.
-  void Build(const RgbdFrame& frame, const cv::Mat& mask, const ParallelRunner& parallel,
+  /// Fills `pyramid` from a frame without distortion. People lose their depth, and their intensity
+  /// with mask_rgb, at every level that touches them.
+  void Build(const RgbdFrame& frame, const PeopleInFrame& people, const ParallelRunner& parallel,
              FramePyramid& pyramid);
 
  private:
+  void TakeOutPeople(const RgbdFrame& frame, const PeopleInFrame& people,
+                     const ParallelRunner& parallel, FramePyramid& pyramid);
+
   PyramidConfig config_;
   DepthNoiseConfig noise_;
   DepthFilter depth_filter_;
+  cv::Mat inner_mask_;  ///< the mask without its rim
 };
 
 }  // namespace posefusion

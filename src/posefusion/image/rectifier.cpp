@@ -3,6 +3,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
+#include <string>
 
 namespace posefusion {
 namespace {
@@ -46,14 +47,19 @@ RgbdFrame Rectifier::Rectify(const RgbdFrame& frame) const {
   return rectified;
 }
 
-cv::Mat Rectifier::RectifyMask(const cv::Mat& mask) const {
-  if (mask.empty()) return mask;
-  if (mask.type() != CV_8UC1 || mask.cols != input_camera_.width ||
-      mask.rows != input_camera_.height) {
-    throw std::invalid_argument("rectifier: mask is not 8UC1 of the size of the camera");
+PeopleInFrame Rectifier::Rectify(const PeopleInFrame& people) const {
+  return {NearestPixels(people.mask, CV_8UC1, "mask is not 8UC1"),
+          NearestPixels(people.depth_m, CV_32FC1, "depth of people is not 32FC1")};
+}
+
+cv::Mat Rectifier::NearestPixels(const cv::Mat& image, int type, const char* what) const {
+  if (image.empty()) return image;
+  if (image.type() != type || image.cols != input_camera_.width ||
+      image.rows != input_camera_.height) {
+    throw std::invalid_argument(std::string("rectifier: ") + what + " of the size of the camera");
   }
-  if (nearest_map_.empty()) return mask;
-  return Remapped(mask, nearest_map_, cv::Mat(), cv::INTER_NEAREST);
+  if (nearest_map_.empty()) return image;
+  return Remapped(image, nearest_map_, cv::Mat(), cv::INTER_NEAREST);
 }
 
 }  // namespace posefusion

@@ -3,6 +3,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "posefusion/image/camera_model.h"
+#include "posefusion/image/people_in_frame.h"
 #include "posefusion/image/rgbd_frame.h"
 
 namespace posefusion {
@@ -23,9 +24,9 @@ class Rectifier {
   /// @throws std::invalid_argument when the frame is of another camera or its images do not fit.
   RgbdFrame Rectify(const RgbdFrame& frame) const;
 
-  /// Mask (CV_8UC1, 255 = person) by the nearest pixel; 0 outside. An empty mask stays empty.
+  /// Mask and depth by the nearest pixel; 0 outside. Empty images stay empty.
   /// @throws std::invalid_argument for another type or size.
-  cv::Mat RectifyMask(const cv::Mat& mask) const;
+  PeopleInFrame Rectify(const PeopleInFrame& people) const;
 
   /// Camera of the images that go in.
   const CameraModel& input_camera() const { return input_camera_; }
@@ -34,6 +35,8 @@ class Rectifier {
   const CameraModel& output_camera() const { return output_camera_; }
 
  private:
+  cv::Mat NearestPixels(const cv::Mat& image, int type, const char* what) const;
+
   CameraModel input_camera_;
   CameraModel output_camera_;
   cv::Mat nearest_map_;        ///< CV_16SC2, pixel of the input; empty without distortion

@@ -11,6 +11,7 @@ namespace posefusion {
 struct RgbdFrame {
   StampNs stamp_ns = 0;        ///< of the colour image; the key of everything made from the frame
   StampNs depth_stamp_ns = 0;  ///< of the depth image
+  int index = -1;              ///< of the colour image in its stream, from 0; -1 = not counted
   cv::Mat rgb;                 ///< CV_8UC3, order R G B
   cv::Mat depth_m;             ///< CV_32FC1 metres along the optical axis, 0 = none
   CameraModel camera;          ///< of both images, with the distortion that they have

@@ -14,16 +14,28 @@ namespace {
 /// The steps that every frame goes through, and their records.
 class Runner {
  public:
-  Runner(const SystemConfig& config, int num_threads, OfflineRun& run)
-      : blur_filter_(config.blur_filter), slam_(config.mapping, num_threads), run_(run) {}
+  Runner(const SystemConfig& config, bool has_keypoints, int num_threads,
+         const OfflineRunHooks& hooks, OfflineRun& run)
+      : blur_filter_(config.blur_filter),
+        slam_(config.mapping, num_threads),
+        hooks_(hooks),
+        run_(run) {
+    if (has_keypoints && config.human_removal.enabled) {
+      human_remover_.emplace(config.human_removal);
+    }
+  }
 
-  void Process(const RgbdFrame& frame) {
+  /// `arrived` are the keypoints that became known since the frame before; they may be of earlier
+  /// frames.
+  void Process(const RgbdFrame& frame, const std::vector<Skeletons>& arrived) {
     clock_.Clear();
+    run_.num_keypoints += static_cast<int>(arrived.size());
+    waiting_.insert(waiting_.end(), arrived.begin(), arrived.end());
     if (IsBlurred(frame)) {
       Record(frame.stamp_ns, FrameState::kDroppedBlur, clock_.times());
       return;
     }
-    const FrameResult result = slam_.ProcessFrame(frame);
+    const FrameResult result = slam_.ProcessFrame(frame, FindPeople(frame));
     std::vector<StageTime> times = clock_.times();
     times.insert(times.end(), result.stage_times.begin(), result.stage_times.end());
     if (result.HasPose()) {
@@ -36,12 +48,23 @@ class Runner {
     run_.trajectory = slam_.trajectory();
     run_.map = slam_.ExportMap(slam_.config().export_min_confidence);
     run_.num_surfels = slam_.NumSurfels();
+    if (human_remover_) run_.keypoints = human_remover_->counts();
   }
 
  private:
   bool IsBlurred(const RgbdFrame& frame) {
     const auto scope = clock_.Measure("blur");
     return !blur_filter_.Judge(frame.rgb, frame.stamp_ns).keep;
+  }
+
+  PeopleInFrame FindPeople(const RgbdFrame& frame) {
+    if (!human_remover_) return {};
+    const auto scope = clock_.Measure("people");
+    const HumanCut cut = human_remover_->Process(frame, waiting_);
+    waiting_.clear();
+    if (cut.num_people > 0) ++run_.num_frames_with_people;
+    if (hooks_.on_mask) hooks_.on_mask(frame.stamp_ns, cut.mask);
+    return {cut.mask, frame.depth_m};
   }
 
   void Record(StampNs stamp_ns, FrameState state, const std::vector<StageTime>& times) {
@@ -55,10 +78,18 @@ class Runner {
   }
 
   BlurFilter blur_filter_;
+  std::optional<HumanRemover> human_remover_;
+  std::vector<Skeletons> waiting_;  ///< keypoints that arrived since the last frame that was kept
   Slam slam_;
+  const OfflineRunHooks& hooks_;
   StageClock clock_;
   OfflineRun& run_;
 };
+
+void ReportError(const std::string& text, const OfflineRunHooks& hooks, OfflineRun& run) {
+  run.errors.push_back(text);
+  hooks.on_error(text);
+}
 
 /// The next frame; errors are reported and skipped.
 std::optional<RgbdFrame> NextGood(FrameSource& source, const OfflineRunHooks& hooks,
@@ -67,11 +98,27 @@ std::optional<RgbdFrame> NextGood(FrameSource& source, const OfflineRunHooks& ho
     try {
       return source.Next();
     } catch (const std::exception& error) {
-      run.errors.emplace_back(error.what());
-      hooks.on_error(error.what());
+      ++run.num_bad_frames;
+      ReportError(error.what(), hooks, run);
     }
   }
   return std::nullopt;
+}
+
+/// The keypoints that are known by the time of the frame and have not been before; errors are
+/// reported.
+std::vector<Skeletons> ArrivedBy(const RgbdFrame& frame, SkeletonSource* skeletons,
+                                 const HumanRemovalConfig& config, const OfflineRunHooks& hooks,
+                                 OfflineRun& run) {
+  if (skeletons == nullptr) return {};
+  try {
+    skeletons->Offer(frame);
+  } catch (const std::exception& error) {
+    ReportError(error.what(), hooks, run);
+  }
+  for (const std::string& note : skeletons->TakeNotes()) hooks.on_note(note);
+  const double wait_s = config.policy == KeypointPolicy::kWait ? config.max_wait_s : 0;
+  return skeletons->Take(frame.stamp_ns + StampFromSeconds(wait_s));
 }
 
 }  // namespace
@@ -95,17 +142,19 @@ int OfflineRun::Count(FrameState state) const {
 }
 
 OfflineRun RunOffline(FrameSource& source, const SystemConfig& config, int num_threads,
-                      const OfflineRunHooks& hooks) {
+                      const OfflineRunHooks& hooks, SkeletonSource* skeletons) {
   CheckRanges("", config);
   const auto start = std::chrono::steady_clock::now();
   OfflineRun run;
-  Runner runner(config, num_threads, run);
+  Runner runner(config, skeletons != nullptr, num_threads, hooks, run);
   while (const auto frame = NextGood(source, hooks, run)) {
+    const std::vector<Skeletons> arrived =
+        ArrivedBy(*frame, skeletons, config.human_removal, hooks, run);
     try {
-      runner.Process(*frame);
+      runner.Process(*frame, arrived);
     } catch (const std::exception& error) {
-      run.errors.emplace_back(error.what());
-      hooks.on_error(error.what());
+      ++run.num_bad_frames;
+      ReportError(error.what(), hooks, run);
     }
     hooks.on_frame(static_cast<int>(run.frames.size()));
   }

@@ -57,8 +57,8 @@ struct Slam::State {
   std::optional<StampNs> last_stamp_ns;
   StageClock clock;
 
-  void Check(const RgbdFrame& frame, const cv::Mat& mask) const;
-  void Rectify(const RgbdFrame& frame, const cv::Mat& mask);
+  void Check(const RgbdFrame& frame, const PeopleInFrame& people) const;
+  void Rectify(const RgbdFrame& frame, const PeopleInFrame& people);
   void Prepare();
   TrackingResult Track();
   void FuseInto(const TrackingResult& tracking);
@@ -66,13 +66,19 @@ struct Slam::State {
   double MotionWeight() const;
 
   RgbdFrame rectified;
-  cv::Mat rectified_mask;
+  PeopleInFrame rectified_people;
 };
 
-void Slam::State::Check(const RgbdFrame& frame, const cv::Mat& mask) const {
+void Slam::State::Check(const RgbdFrame& frame, const PeopleInFrame& people) const {
   CheckFrame(frame, "frame " + FormatStamp(frame.stamp_ns));
-  if (!mask.empty() && (mask.type() != CV_8UC1 || mask.size() != frame.rgb.size())) {
+  const auto fits = [&](const cv::Mat& image, int type) {
+    return image.empty() || (image.type() == type && image.size() == frame.rgb.size());
+  };
+  if (!fits(people.mask, CV_8UC1)) {
     throw std::invalid_argument("person mask is not 8UC1 of the frame's size");
+  }
+  if (!fits(people.depth_m, CV_32FC1)) {
+    throw std::invalid_argument("depth of people is not 32FC1 of the frame's size");
   }
   if (camera && *camera != frame.camera) {
     throw std::invalid_argument("the camera has changed; reset first");
@@ -83,16 +89,16 @@ void Slam::State::Check(const RgbdFrame& frame, const cv::Mat& mask) const {
   }
 }
 
-void Slam::State::Rectify(const RgbdFrame& frame, const cv::Mat& mask) {
+void Slam::State::Rectify(const RgbdFrame& frame, const PeopleInFrame& people) {
   const auto scope = clock.Measure("rectify");
   if (!rectifier) rectifier.emplace(frame.camera);
   rectified = rectifier->Rectify(frame);
-  rectified_mask = mask.empty() ? cv::Mat() : rectifier->RectifyMask(mask);
+  rectified_people = rectifier->Rectify(people);
 }
 
 void Slam::State::Prepare() {
   const auto scope = clock.Measure("prepare");
-  builder->Build(rectified, rectified_mask, parallel, pyramid);
+  builder->Build(rectified, rectified_people, parallel, pyramid);
 }
 
 TrackingResult Slam::State::Track() {
@@ -132,13 +138,13 @@ Slam::Slam(const SlamConfig& config, int num_threads) {
 
 Slam::~Slam() = default;
 
-FrameResult Slam::ProcessFrame(const RgbdFrame& frame, const cv::Mat& person_mask) {
+FrameResult Slam::ProcessFrame(const RgbdFrame& frame, const PeopleInFrame& people) {
   State& s = *state_;
-  s.Check(frame, person_mask);
+  s.Check(frame, people);
   s.clock.Clear();
   s.camera = frame.camera;
   s.last_stamp_ns = frame.stamp_ns;
-  s.Rectify(frame, person_mask);
+  s.Rectify(frame, people);
   s.Prepare();
   FrameResult result;
   result.stamp_ns = frame.stamp_ns;

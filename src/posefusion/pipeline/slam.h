@@ -6,6 +6,7 @@
 
 #include "posefusion/common/stage_clock.h"
 #include "posefusion/common/trajectory.h"
+#include "posefusion/image/people_in_frame.h"
 #include "posefusion/image/rgbd_frame.h"
 #include "posefusion/pipeline/slam_config.h"
 #include "posefusion/surfel/surfel_cloud.h"
@@ -31,11 +32,11 @@ class Slam {
   explicit Slam(const SlamConfig& config, int num_threads);
   ~Slam();
 
-  /// Tracks and fuses one frame. `person_mask` (CV_8UC1 in the frame's pixels, 255 = person, empty
-  /// = nobody) keeps pixels out of tracking and map.
+  /// Tracks and fuses one frame. `people` keeps pixels out of tracking and map, and cleans from the
+  /// map what was fused of people before anybody knew of them.
   /// @throws std::invalid_argument for images that do not fit each other, for a camera other than
   /// the first frame's, and for stamps that do not increase; the state is then unchanged.
-  FrameResult ProcessFrame(const RgbdFrame& frame, const cv::Mat& person_mask = cv::Mat());
+  FrameResult ProcessFrame(const RgbdFrame& frame, const PeopleInFrame& people = {});
 
   /// Forgets map, poses and camera; the next frame starts anew.
   void Reset();

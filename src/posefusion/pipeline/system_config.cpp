@@ -8,7 +8,7 @@ namespace {
 
 /// The nodelets' own groups, which may stand in the same file.
 constexpr std::pair<const char*, const char*> kNodeletGroups[] = {
-    {"blur_filter", "ros"}, {"mapping", "ros"}, {"mapping", "frames"}};
+    {"blur_filter", "ros"}, {"human_removal", "ros"}, {"mapping", "ros"}, {"mapping", "frames"}};
 
 }  // namespace
 

@@ -5,18 +5,21 @@
 
 #include "posefusion/image/blur_filter.h"
 #include "posefusion/pipeline/slam_config.h"
+#include "posefusion/segmentation/human_removal_config.h"
 
 namespace posefusion {
 
 /// Every value of a run, one group per nodelet.
 struct SystemConfig {
   BlurFilterConfig blur_filter;
+  HumanRemovalConfig human_removal;
   SlamConfig mapping;
 };
 
 template <class V>
 void Describe(V& v, SystemConfig& c) {
   v.Group("blur_filter", c.blur_filter);
+  v.Group("human_removal", c.human_removal);
   v.Group("mapping", c.mapping);
 }
 

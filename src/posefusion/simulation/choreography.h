@@ -22,6 +22,8 @@ struct Choreography {
 
 /// Person 0 walks about, pushes the chair and crosses in front of the camera; person 1 sits
 /// motionless for half a minute or longer, then gets up; the others walk, talk, leave and return.
+/// Of two or more, one passes close before the camera every minute. Somebody comes to each of
+/// config.visits when there is a way in time.
 Choreography MakeChoreography(const WorldConfig& config, const RoomPlan& plan);
 
 }  // namespace posefusion

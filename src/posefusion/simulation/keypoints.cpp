@@ -5,6 +5,7 @@
 
 #include "posefusion/simulation/indexed_random.h"
 #include "posefusion/simulation/renderer.h"
+#include "posefusion/skeleton/keypoint_rate.h"
 
 namespace posefusion {
 namespace {
@@ -234,11 +235,7 @@ std::vector<Skeleton> PerfectKeypoints(const std::vector<TruePerson>& truth) {
 
 std::optional<double> KeypointArrival(const KeypointTiming& timing, double time_s,
                                       double interval_s, int seed) {
-  constexpr double kRounding = 1e-3;  // stamps are rounded
-  if (timing.rate_hz > 0) {
-    const auto count = [&](double t) { return std::floor(t * timing.rate_hz + kRounding); };
-    if (count(time_s) == count(time_s - interval_s)) return std::nullopt;
-  }
+  if (!IsDue(time_s, time_s - interval_s, timing.rate_hz)) return std::nullopt;
   const double jitter = IndexedRandom(seed, kLatencyStream).Uniform(MicrosecondsOf(time_s), -1, 1);
   return time_s + timing.latency_s * (1 + timing.latency_jitter * jitter);
 }

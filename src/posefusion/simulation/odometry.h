@@ -9,8 +9,10 @@
 
 namespace posefusion {
 
-/// Errors of odometry by leg kinematics, which come to about 2 to 6 % of the way: what makes a
-/// biped lose itself within a room unless it looks.
+/// Errors of odometry by leg kinematics: what makes a biped lose itself within a room unless it
+/// looks. Over 5 m they come to 2 to 3 % of the way (median 2 %, one in ten above 4 %). The error
+/// of the heading lets that of the place grow faster than the way: at the end of the 98 m of
+/// `corridor` it is 5 % on average and up to 10 %.
 struct OdometryConfig {
   double scale_error = 0.02;         ///< deviation between runs of the length of a step
   double slip_m = 0.004;             ///< deviation of a step's end, along and across

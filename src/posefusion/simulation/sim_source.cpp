@@ -20,7 +20,17 @@ std::optional<RgbdFrame> SimSource::Next() {
   auto frame = run_->simulator.Next();
   if (!frame) return std::nullopt;
   run_->truth.Add(*frame, run_->simulator);
+  if (mailbox_) {
+    if (auto keypoints = KeypointsAsWritten(*frame, run_->simulator)) {
+      mailbox_->Put(std::move(*keypoints));
+    }
+  }
   return std::move(frame->frame);
+}
+
+std::unique_ptr<SkeletonSource> SimSource::MakeKeypoints() {
+  mailbox_ = std::make_shared<KeypointMailbox>();
+  return std::make_unique<SimKeypoints>(mailbox_);
 }
 
 }  // namespace posefusion

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "posefusion/dataset/frame_source.h"
+#include "posefusion/simulation/sim_keypoints.h"
 #include "posefusion/simulation/simulator.h"
 #include "posefusion/simulation/truth_recorder.h"
 
@@ -31,8 +32,13 @@ class SimSource : public FrameSource {
   /// To be looked at when nobody calls Next any more; lives on when the source does not.
   std::shared_ptr<const SimulatedRun> run() const { return run_; }
 
+  /// Keypoints of the frames that Next gives out from now on, the same ones as in the folder. May
+  /// be used in another thread than this source. To be called once, before the first frame.
+  std::unique_ptr<SkeletonSource> MakeKeypoints();
+
  private:
   std::shared_ptr<SimulatedRun> run_;
+  std::shared_ptr<KeypointMailbox> mailbox_;  ///< null while nobody wants keypoints
 };
 
 }  // namespace posefusion

@@ -143,6 +143,11 @@ WorldConfig MakeWorldConfig(const SimulationConfig& config, const Mover& mover) 
   for (double t = 0; t <= config.seconds; t += kWayIntervalS) {
     world.keep_clear.emplace_back(mover.head->T_map_camera(t).translation().head<2>());
   }
+  if (!mover.robot) return world;
+  for (const Fall& fall : mover.robot->falls()) {
+    if (fall.view != FallView::kPasserBy) continue;
+    world.visits.push_back({fall.impact_s(), fall.raise_s()});
+  }
   return world;
 }
 

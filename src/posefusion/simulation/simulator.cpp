@@ -51,6 +51,7 @@ std::optional<SimulatedFrame> Simulator::Next() {
   SensorFrame captured = sensor_.Capture(*mover_.head, result.time_s,
                                          SimulationTime(depth_stamp_ns), result.index, runner_);
   result.frame = std::move(captured.frame);
+  result.frame.index = result.index;
   result.frame.stamp_ns = stamp_ns;
   result.frame.depth_stamp_ns = depth_stamp_ns;
   result.frame.depth_m =

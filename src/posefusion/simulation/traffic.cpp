@@ -54,7 +54,7 @@ bool Traffic::IsTaken(const Vector2d& place, double from_s, double to_s, double 
 bool Traffic::IsTaken(const std::vector<Vector2d>& way, double from_s, double duration_s,
                       double to_camera_m) const {
   const double length = LengthOf(way);
-  for (double t = 0.4; t <= duration_s; t += 0.2) {
+  for (double t = 0.4; t <= duration_s; t += kStep_s) {
     const Vector2d at = PointAlong(way, length * WalkedShare(t / duration_s, duration_s));
     if (IsTaken(at, from_s + t, from_s + t, to_camera_m)) return true;
   }

@@ -4,26 +4,18 @@
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
+#include <stdexcept>
 
 #include "posefusion/common/atomic_file.h"
 #include "posefusion/config/config.h"
 #include "posefusion/dataset/mesh_file.h"
 #include "posefusion/simulation/robot_record.h"
+#include "posefusion/simulation/true_meshes.h"
+#include "posefusion/skeleton/openpose_json.h"
 
 namespace posefusion {
 namespace {
-
-std::string MovedObjectsText(const World& world) {
-  std::string text = "# start_stamp end_stamp name dx dy dz\n";
-  for (const MovedObject& object : world.moved_objects()) {
-    std::array<char, 96> offset{};
-    std::snprintf(offset.data(), offset.size(), " %.4f %.4f %.4f\n", object.offset_m.x(),
-                  object.offset_m.y(), object.offset_m.z());
-    text += FormatStamp(SimulationStamp(object.from_s)) + " " +
-            FormatStamp(SimulationStamp(object.to_s)) + " " + object.name + offset.data();
-  }
-  return text;
-}
 
 std::string CameraText(const CameraModel& camera) {
   std::array<char, 400> text{};
@@ -67,10 +59,21 @@ PeopleAtStamp PeopleAt(const World& world, double time_s) {
   return moment;
 }
 
+void WriteJoints(const std::vector<JointsAtStamp>& joints, const std::string& folder) {
+  const std::string own = folder + "/joints";
+  std::error_code error;
+  std::filesystem::create_directories(own, error);
+  if (error) throw std::runtime_error(own + ": cannot be made: " + error.message());
+  for (const JointsAtStamp& now : joints) {
+    WriteFileAtomically(own + "/" + FormatStamp(now.stamp_ns) + ".json",
+                        ToOpenPoseJson(now.people));
+  }
+}
+
 void WriteWorldFiles(const Simulator& simulator, const std::vector<PeopleAtStamp>& people,
                      const std::vector<SimulationEvent>& occlusions, const std::string& folder) {
-  WriteMesh(simulator.world().static_mesh(), folder + "/world.ply");
-  WriteFileAtomically(folder + "/moved_objects.txt", MovedObjectsText(simulator.world()));
+  WriteMesh(UnmovedSurfaces(simulator.world()), folder + "/world.ply");
+  WriteMovedObjects(MovedSurfacesOf(simulator.world()), folder);
   WritePeople(people, folder + "/people_capsules.txt");
   std::vector<SimulationEvent> events = occlusions;
   if (simulator.mover().robot) {

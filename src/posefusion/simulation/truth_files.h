@@ -12,9 +12,20 @@ namespace posefusion {
 /// Body parts of everybody present at the time of a frame.
 PeopleAtStamp PeopleAt(const World& world, double time_s);
 
+/// True joints that the camera sees at the stamp of a colour image.
+struct JointsAtStamp {
+  StampNs stamp_ns = 0;
+  std::vector<Skeleton> people;
+};
+
+/// Writes them as a perfect pose network would, in the format of keypoints/: a file
+/// joints/<stamp>.json in OpenPose's format for each frame, all confidences 1.
+/// @throws std::runtime_error naming what cannot be written.
+void WriteJoints(const std::vector<JointsAtStamp>& joints, const std::string& folder);
+
 /// Writes what is known about the world into an existing folder:
-///   world.ply              everything that never moves, map frame
-///   moved_objects.txt      start_stamp end_stamp name dx dy dz (metres, map frame)
+///   world.ply              everything that is not moved during the run, map frame
+///   moved_objects.txt      and moved_objects/, what is moved: see moved_objects_file.h
 ///   people_capsules.txt    see people_file.h
 ///   events.txt             falls and full occlusions; no pose is expected during them
 ///   camera.yaml            of all frames

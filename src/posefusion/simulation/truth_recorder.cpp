@@ -5,7 +5,6 @@
 
 #include "posefusion/common/atomic_file.h"
 #include "posefusion/simulation/robot_files.h"
-#include "posefusion/simulation/truth_files.h"
 
 namespace posefusion {
 
@@ -25,6 +24,7 @@ void TruthRecorder::Add(const SimulatedFrame& frame, const Simulator& simulator)
   std::snprintf(blur.data(), blur.size(), " %.3f\n", frame.blur_length_px);
   blur_list_ += stamp + blur.data();
   people_.push_back(PeopleAt(simulator.world(), frame.time_s));
+  joints_.push_back({frame.frame.stamp_ns, PerfectKeypoints(frame.people)});
   occlusions_.Add(frame.frame.stamp_ns, StaticShare(frame.labels));
 }
 
@@ -33,6 +33,7 @@ void TruthRecorder::Write(const Simulator& simulator, const std::string& folder)
   WriteFileAtomically(folder + "/depth.txt", depth_list_);
   WriteFileAtomically(folder + "/blur.txt", blur_list_);
   WriteRobotFiles(RecordRobot(simulator.config(), simulator.mover()), folder);
+  WriteJoints(joints_, folder);
   WriteWorldFiles(simulator, people_, occlusions_.events(), folder);
 }
 

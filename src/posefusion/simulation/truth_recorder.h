@@ -6,6 +6,7 @@
 #include "posefusion/dataset/people_file.h"
 #include "posefusion/simulation/events.h"
 #include "posefusion/simulation/simulator.h"
+#include "posefusion/simulation/truth_files.h"
 
 namespace posefusion {
 
@@ -16,10 +17,10 @@ class TruthRecorder {
   void Add(const SimulatedFrame& frame, const Simulator& simulator);
 
   /// Writes everything that is known besides images and keypoints into a folder that exists:
-  /// rgb.txt, depth.txt, camera.yaml, blur.txt, the files of truth_files.h and of robot_files.h.
-  /// blur.txt: `stamp blur_px`, how far the camera's motion moves the image during the exposure, as
-  /// the median over what does not show a person (TrueBlurLength() in exposure.h). @throws
-  /// std::runtime_error naming a file that cannot be written.
+  /// rgb.txt, depth.txt, camera.yaml, blur.txt, joints/, the files of truth_files.h and of
+  /// robot_files.h. blur.txt: `stamp blur_px`, how far the camera's motion moves the image during
+  /// the exposure, as the median over what does not show a person (TrueBlurLength() in exposure.h).
+  /// @throws std::runtime_error naming a file that cannot be written.
   void Write(const Simulator& simulator, const std::string& folder) const;
 
  private:
@@ -27,6 +28,7 @@ class TruthRecorder {
   std::string depth_list_ = "# stamp file\n";
   std::string blur_list_ = "# stamp blur_px\n";
   std::vector<PeopleAtStamp> people_;
+  std::vector<JointsAtStamp> joints_;
   OcclusionRecorder occlusions_;
 };
 

@@ -1,12 +1,11 @@
 #include "posefusion/simulation/walk_plan.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "posefusion/simulation/easing.h"
+#include "posefusion/simulation/fall_choice.h"
 #include "posefusion/simulation/indexed_random.h"
 
 namespace posefusion {
@@ -19,8 +18,7 @@ constexpr double kSharpCornerRad = 0.35;  ///< it stops and turns at sharper cor
 constexpr double kMinTurnRad = 0.1;
 constexpr double kMaxYawRateWalking = 0.4;  ///< rad/s
 constexpr double kTurnStepping = 0.7;       ///< steps in place shake less
-constexpr double kHeadReachM = 1.6;         ///< where the head of a fallen robot is
-constexpr double kFallClearanceM = 0.25;
+constexpr std::size_t kNumFallViews = 3;
 constexpr double kStandClearanceM = 0.35;
 constexpr double kSetDownM = 0.35;  ///< away from where it fell
 
@@ -31,24 +29,6 @@ double HeadingOf(const Eigen::Vector2d& direction) {
 }
 
 Eigen::Vector2d DirectionOf(double heading) { return {std::cos(heading), std::sin(heading)}; }
-
-/// Distance of a point from the nearest box.
-double Clearance(const Eigen::Vector2d& p, const std::vector<Eigen::AlignedBox2d>& boxes) {
-  double clearance = std::numeric_limits<double>::infinity();
-  for (const auto& box : boxes) clearance = std::min(clearance, box.exteriorDistance(p));
-  return clearance;
-}
-
-/// Least clearance of the straight way from `p` by `reach_m`.
-double ClearanceAlong(const Eigen::Vector2d& p, const Eigen::Vector2d& direction, double reach_m,
-                      const std::vector<Eigen::AlignedBox2d>& boxes) {
-  constexpr int kPoints = 8;
-  double clearance = std::numeric_limits<double>::infinity();
-  for (int i = 1; i <= kPoints; ++i) {
-    clearance = std::min(clearance, Clearance(p + direction * (reach_m * i / kPoints), boxes));
-  }
-  return clearance;
-}
 
 class Planner {
  public:
@@ -173,39 +153,34 @@ class Planner {
     TurnTo(before);
   }
 
-  /// Forward, left, backward or right, in an order that changes from fall to fall: the first with
-  /// room enough, or else the one with most of it.
-  Eigen::Vector2d ChooseFallDirection() {
-    const std::array<double, 4> turns = {0, 0.5 * kPi, kPi, -0.5 * kPi};
-    const int first = static_cast<int>(Dice(0, 4));
-    double best_clearance = -1;
-    double best_turn = 0;
-    for (int i = 0; i < 4 && best_clearance < kFallClearanceM; ++i) {
-      const double turn = turns[static_cast<std::size_t>((first + i) % 4)] + Dice(-0.3, 0.3);
-      const double clearance =
-          ClearanceAlong(position_, DirectionOf(heading_ + turn), kHeadReachM, obstacles_);
-      if (clearance <= best_clearance) continue;
-      best_clearance = clearance;
-      best_turn = turn;
-    }
-    return DirectionOf(best_turn);
+  /// Begins a fall; the camera sees another thing from fall to fall.
+  Fall StartFall() {
+    Fall fall;
+    fall.view = static_cast<FallView>((falls_.size() + static_cast<std::size_t>(config_.seed)) %
+                                      kNumFallViews);
+    fall.lying_s = Dice(2, 4);
+    fall.tilt_rad = Dice(1.25, 1.36);
+    const FallSite site{
+        position_, heading_, {route_.gaze_yaw_rad, route_.gaze_pitch_rad}, obstacles_};
+    const FallChoice choice =
+        ChooseFall(fall, site, [this](double low, double high) { return Dice(low, high); });
+    fall.direction = choice.direction;
+    TurnTo(choice.heading_rad);
+    fall.start_s = time_s();
+    return fall;
   }
 
   /// A free place near by; the present one when there is none.
   Eigen::Vector2d ChooseSetDown() {
     for (int attempt = 0; attempt < 12; ++attempt) {
       const Eigen::Vector2d place = position_ + kSetDownM * DirectionOf(Dice(-kPi, kPi));
-      if (Clearance(place, obstacles_) >= kStandClearanceM) return place;
+      if (FloorClearance(place, obstacles_) >= kStandClearanceM) return place;
     }
     return position_;
   }
 
   void FallDown() {
-    Fall fall;
-    fall.start_s = time_s();
-    fall.lying_s = Dice(2, 4);
-    fall.direction = ChooseFallDirection();
-    fall.tilt_rad = Dice(1.25, 1.36);
+    const Fall fall = StartFall();
     while (time_s() < fall.carry_s()) Push(0);
     const Eigen::Vector2d from = position_;
     const Eigen::Vector2d to = ChooseSetDown();
@@ -219,7 +194,7 @@ class Planner {
     }
     while (time_s() < fall.standing_s() + 1.0) Push(0);
     falls_.push_back(fall);
-    next_fall_s_ = fall.start_s + std::max(config_.fall_period_s + Dice(-1, 1), 1.0);
+    next_fall_s_ += std::max(config_.fall_period_s + Dice(-1, 1), 1.0);
   }
 
   const Route& route_;

@@ -12,7 +12,7 @@ struct WalkPlanConfig {
   int seed = 1;
   double seconds = 60;
   double first_fall_s = 0;    ///< about when it falls first; 0 = never
-  double fall_period_s = 15;  ///< from one fall to the next
+  double fall_period_s = 15;  ///< from one fall to the next, about
   double acceleration_m_s2 = 0.3;
 };
 

@@ -128,9 +128,9 @@ std::vector<MovedObject> World::moved_objects() const {
   for (std::size_t i = 0; i < content_->plan.objects.size(); ++i) {
     const Choreography::Move& move = content_->choreography.moves[i];
     const PlannedMove& object = content_->plan.objects[i];
-    if (!move.happens) continue;
-    moved.push_back(
-        {object.name, move.from_s, move.to_s, object.to.translation() - object.from.translation()});
+    if (!move.happens || move.from_s >= content_->config.seconds) continue;
+    moved.push_back({static_cast<int>(i), object.name, move.from_s, move.to_s,
+                     object.to.translation() - object.from.translation()});
   }
   return moved;
 }

@@ -32,10 +32,17 @@ std::vector<Eigen::Vector2d> CorridorRoute();
 
 /// An object that somebody moves once: it rests before from_s and after to_s.
 struct MovedObject {
+  int movable;  ///< number in the World
   std::string name;
   double from_s;
   double to_s;
   Eigen::Vector3d offset_m;  ///< map frame
+};
+
+/// A time in which somebody is to come into the view of the camera, which lies on the floor.
+struct CameraVisit {
+  double from_s;
+  double to_s;
 };
 
 struct WorldConfig {
@@ -48,6 +55,7 @@ struct WorldConfig {
   std::shared_ptr<const HeadMotion> head;
   /// Places on the floor where nobody stands for long (the robot's way when `head` is null).
   std::vector<Eigen::Vector2d> keep_clear;
+  std::vector<CameraVisit> visits;  ///< in order of time; only with `head`
 };
 
 /// Rooms, things and people. Immutable after construction; every time-dependent value is a pure
@@ -61,7 +69,7 @@ class World {
 
   const WorldConfig& config() const;
 
-  /// Everything that never moves, in the map frame.
+  /// Everything that nobody can move, in the map frame.
   const TriangleMesh& static_mesh() const;
   const std::vector<Eigen::AlignedBox2d>& obstacles() const;
   const std::vector<Material>& materials() const;  ///< by the numbers in meshes
@@ -72,10 +80,11 @@ class World {
   /// Mesh of a body part in the part's own frame.
   const TriangleMesh& part_mesh(int person, BodyPart part) const;
 
-  /// Things that are moved at some time, in their own frames.
+  /// Things that may be moved, in their own frames.
   int num_movables() const;
   const TriangleMesh& movable_mesh(int movable) const;
   Eigen::Isometry3d T_map_movable(int movable, double time_s) const;
+  /// Those that are moved before config().seconds; what a person pushes comes first.
   std::vector<MovedObject> moved_objects() const;
 
  private:

@@ -114,6 +114,7 @@ void Fuser::PrepareMeasurement(const FramePyramid& frame, const ParallelRunner& 
     for (int y = begin; y < end; ++y) {
       float* out = nearest_around_m_.row(y);
       std::fill_n(out, width, 0.0F);
+      AddFreeSpaceOfPeople(frame, y);
       if (y == 0 || y + 1 == height) continue;
       const float* a = depth.row(y - 1);
       const float* b = depth.row(y);
@@ -122,10 +123,23 @@ void Fuser::PrepareMeasurement(const FramePyramid& frame, const ParallelRunner& 
         const float nearest = std::min(
             NearestOf(a[x - 1], a[x], a[x + 1]),
             std::min(NearestOf(b[x - 1], b[x], b[x + 1]), NearestOf(c[x - 1], c[x], c[x + 1])));
-        out[x] = b[x] > 0 ? nearest : 0.0F;
+        if (b[x] > 0) out[x] = nearest;
       }
     }
   });
+}
+
+/// Nothing of the room is where a person is, nor before: surfels there were fused from people that
+/// nobody knew of then.
+void Fuser::AddFreeSpaceOfPeople(const FramePyramid& frame, int y) {
+  if (frame.person_depth_m.empty()) return;
+  const auto behind_m =
+      static_cast<float>(config_.free_space_distance_m + config_.person_thickness_m);
+  const float* person = frame.person_depth_m.row(y);
+  float* out = nearest_around_m_.row(y);
+  for (int x = 0; x < frame.person_depth_m.width(); ++x) {
+    if (person[x] > 0) out[x] = person[x] + behind_m;
+  }
 }
 
 FusionCounts Fuser::UpdateVisible(const FramePyramid& frame, const FramePoses& poses,

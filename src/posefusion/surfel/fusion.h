@@ -30,7 +30,8 @@ struct FramePoses {
 /// Every surfel in view looks up the pixel it projects to. Where the measurement there is the same
 /// surface, the surfel moves along the measured normal by its share of the distance (weighted mean
 /// of Keller et al. 2013, eq. 4-6, without the sideways drift of averaging pixel centres); where
-/// the measurement lies behind, the surfel loses confidence. Pixels of the spawning grid that no
+/// the measurement lies behind, the surfel loses confidence. So does one at or before the surface
+/// of a person. Pixels of the spawning grid that no
 /// surfel has claimed create new ones. Surfels write only themselves, so the work divides freely.
 /// Not thread-safe; keeps working memory between frames.
 class Fuser {
@@ -50,6 +51,7 @@ class Fuser {
   };
 
   void PrepareMeasurement(const FramePyramid& frame, const ParallelRunner& parallel);
+  void AddFreeSpaceOfPeople(const FramePyramid& frame, int y);
   FusionCounts UpdateVisible(const FramePyramid& frame, const FramePoses& poses,
                              double frame_weight, const ParallelRunner& parallel, SurfelMap& map);
   int RemoveStale(SurfelMap& map);
@@ -59,7 +61,7 @@ class Fuser {
 
   FusionConfig config_;
   DepthNoiseConfig noise_;
-  Grid<float> nearest_around_m_;  ///< least depth of the 3x3 pixels, 0 = centre has none
+  Grid<float> nearest_around_m_;  ///< no surface lies nearer around a pixel, 0 = unknown
   Grid<std::uint8_t> claimed_;    ///< pixels that a surfel has been measured at
   std::vector<std::uint32_t> visible_;
   std::uint32_t first_fresh_frame_ = 1;

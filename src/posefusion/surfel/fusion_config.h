@@ -21,8 +21,9 @@ struct FusionConfig {
   double free_space_distance_m = 0.03;  ///< a surfel this far before the measured surface ...
   double free_space_sigmas = 8.0;       ///< ... and so many noise sigmas is contradicted
   double free_space_weight = 5.0;       ///< confidence lost, in measurement weights
-  int spawn_stride_px = 2;              ///< one pixel of stride x stride may create a surfel
-  double color_rate = 1.0;              ///< colour follows with this multiple of the weight
+  double person_thickness_m = 0.05;  ///< surfels up to so far behind a person's surface are theirs
+  int spawn_stride_px = 2;           ///< one pixel of stride x stride may create a surfel
+  double color_rate = 1.0;           ///< colour follows with this multiple of the weight
 };
 
 template <class V>
@@ -42,6 +43,7 @@ void Describe(V& v, FusionConfig& c) {
   v.Field("free_space_distance_m", c.free_space_distance_m, 0.001, 1.0);
   v.Field("free_space_sigmas", c.free_space_sigmas, 0.0, 100.0);
   v.Field("free_space_weight", c.free_space_weight, 0.0, 1e4);
+  v.Field("person_thickness_m", c.person_thickness_m, 0.0, 1.0);
   v.Field("spawn_stride_px", c.spawn_stride_px, 1, 8);
   v.Field("color_rate", c.color_rate, 0.0, 100.0);
 }

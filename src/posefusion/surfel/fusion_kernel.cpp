@@ -126,8 +126,9 @@ POSEFUSION_INLINE Verdict Compare(const FusionKernelInput& in, const Vector& p,
   verdict.matched = has_depth & (m.facing > in.grazing_cosine) & (Abs(verdict.plane) < gate) &
                     (Abs(p.z - m.depth) < gate + gate) &
                     (Dot(normal, m.normal) > in.association_cosine);
-  // The measured surface and all around it lie behind the surfel.
-  verdict.contradicted = has_depth & ~verdict.matched & (m.nearest - p.z > free_gate);
+  // Every surface around lies behind the surfel.
+  verdict.contradicted =
+      in_view & ~verdict.matched & (m.nearest > Broadcast(0)) & (m.nearest - p.z > free_gate);
   return verdict;
 }
 

@@ -8,7 +8,7 @@ namespace posefusion {
 /// `width` x `height` pixels.
 struct FusionKernelInput {
   const float* depth_m = nullptr;           ///< measured, 0 = none
-  const float* nearest_around_m = nullptr;  ///< least of the 3x3 pixels, 0 = centre has none
+  const float* nearest_around_m = nullptr;  ///< no surface lies nearer around a pixel, 0 = unknown
   const float* normal_x = nullptr;          ///< camera frame, all 0 = none
   const float* normal_y = nullptr;
   const float* normal_z = nullptr;

@@ -1,4 +1,4 @@
-#include "posefusion/dataset/text_lines.h"
+#include "posefusion/common/text_lines.h"
 
 #include <algorithm>
 #include <sstream>

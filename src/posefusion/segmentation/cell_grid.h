@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+
+#include "posefusion/image/grid.h"
+#include "posefusion/segmentation/pixel_rays.h"
+
+namespace posefusion {
+
+struct CellGridConfig {
+  int size_px = 4;  ///< a cell is a square of so many pixels; people are cut out of cells
+};
+
+template <class V>
+void Describe(V& v, CellGridConfig& c) {
+  v.Field("size_px", c.size_px, 1, 16);
+}
+
+/// A depth image at reduced resolution: the vertices of the graphs that are cut. Cell (x, y) covers
+/// the pixels [x * size_px, (x + 1) * size_px); cells at the right and lower border may reach
+/// beyond the image. Keeps its memory between images of one size. Not thread-safe.
+class CellGrid {
+ public:
+  explicit CellGrid(const CellGridConfig& config);
+
+  /// Depth of each cell is the lower median of some pixels spread over it: near surfaces are
+  /// preferred at edges. `depth_m` is CV_32FC1 metres of camera `camera`, 0 = none.
+  void Build(const cv::Mat& depth_m, const CameraModel& camera);
+
+  int size_px() const { return size_px_; }
+  /// Edge of a cell on a surface one metre away that faces the camera, metres.
+  double size_at_1m() const { return size_px_ / camera_.fx; }
+  int width() const { return depth_m_.width(); }
+  int height() const { return depth_m_.height(); }
+  cv::Size size() const { return {width(), height()}; }
+
+  /// Metres, 0 = none.
+  float DepthAt(int x, int y) const { return depth_m_.at(x, y); }
+
+  /// The cell's point in the camera frame; zero where there is no depth.
+  Eigen::Vector3f PointAt(int x, int y) const {
+    const float z = depth_m_.at(x, y);
+    return {ray_x_.at(x, y) * z, ray_y_.at(x, y) * z, z};
+  }
+
+ private:
+  void SetCamera(const CameraModel& camera);
+
+  int size_px_;
+  CameraModel camera_;
+  Grid<float> depth_m_;
+  Grid<float> ray_x_;  ///< x / z of each cell's centre
+  Grid<float> ray_y_;
+};
+
+}  // namespace posefusion

@@ -1,0 +1,226 @@
+#include "posefusion/segmentation/human_remover.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "posefusion/config/config.h"
+#include "posefusion/segmentation/frame_history.h"
+#include "posefusion/segmentation/motion_field.h"
+#include "posefusion/segmentation/people_memory.h"
+#include "posefusion/segmentation/person_tracks.h"
+
+namespace posefusion {
+
+struct HumanRemover::State {
+  explicit State(const HumanRemovalConfig& given)
+      : config(given), cutter(given), history(given.cells, given.history_s), tracks(given.hold) {}
+
+  /// Seconds since the first frame.
+  double Time(StampNs stamp_ns) const { return SecondsBetween(origin_ns, stamp_ns); }
+
+  void Check(const RgbdFrame& frame) const;
+  void Append(const RgbdFrame& frame);
+  const Skeletons* Newest(const std::vector<Skeletons>& arrived);
+  void ForgetWhatIsTooOld(StampNs now_ns);
+  void CarryInto(std::size_t index);
+  void CutAt(std::size_t index, const Skeletons* skeletons, cv::Mat& mask);
+  void CutSkeletons(PastFrame& entry, const Skeletons& skeletons, double time_s);
+  void CutCarried(const PastFrame& entry, double time_s, bool by_keypoints);
+  CellSeeds SeedsOf(const CellPeople& people, CellPerson person) const;
+  void KeepCuts(std::vector<PersonCut>& cuts) const;
+  int CountPeople(const CellPeople& people);
+
+  HumanRemovalConfig config;
+  PersonCutter cutter;
+  MotionField motion_field;
+  FrameHistory history;
+  PersonTracks tracks;
+  StampNs origin_ns = 0;
+  std::optional<Eigen::Vector3f> gravity;
+  std::optional<StampNs> last_stamp_ns;
+  std::optional<StampNs> newest_keypoints_ns;
+  KeypointCounts counts;
+  std::vector<PersonSeeds> seeds;
+  std::vector<PersonCut> seen;     ///< cut with keypoints
+  std::vector<PersonCut> carried;  ///< cut with carried cells
+  cv::Mat cell_mask;
+  cv::Mat past_mask;
+};
+
+void HumanRemover::State::Check(const RgbdFrame& frame) const {
+  CheckFrame(frame, "frame " + FormatStamp(frame.stamp_ns));
+  if (last_stamp_ns && frame.stamp_ns <= *last_stamp_ns) {
+    throw std::invalid_argument("stamp " + FormatStamp(frame.stamp_ns) + " does not follow " +
+                                FormatStamp(*last_stamp_ns));
+  }
+}
+
+void HumanRemover::State::Append(const RgbdFrame& frame) {
+  if (!last_stamp_ns) origin_ns = frame.stamp_ns;
+  last_stamp_ns = frame.stamp_ns;
+  PastFrame& now = history.Push(frame);
+  now.cells.Build(frame.depth_m, frame.camera);
+  ReduceToCells(frame.rgb, now.cells.size(), now.grey);
+  now.motion.release();
+  if (history.size() < 2) return;
+  const PastFrame& before = history[history.size() - 2];
+  if (before.grey.size() != now.grey.size()) return;
+  motion_field.Estimate(now.grey, before.grey, now.motion);
+}
+
+/// The newest keypoints of a known frame; older ones would change nothing.
+const Skeletons* HumanRemover::State::Newest(const std::vector<Skeletons>& arrived) {
+  const Skeletons* newest = nullptr;
+  for (const Skeletons& skeletons : arrived) {
+    if (history.Find(skeletons.stamp_ns) == history.size()) {
+      ++counts.unmatched;
+      continue;
+    }
+    ++counts.used;
+    if (newest_keypoints_ns && skeletons.stamp_ns <= *newest_keypoints_ns) continue;
+    if (newest == nullptr || skeletons.stamp_ns > newest->stamp_ns) newest = &skeletons;
+  }
+  if (newest != nullptr) newest_keypoints_ns = newest->stamp_ns;
+  return newest;
+}
+
+void HumanRemover::State::ForgetWhatIsTooOld(StampNs now_ns) {
+  if (!newest_keypoints_ns) return;
+  const double age_s = SecondsBetween(*newest_keypoints_ns, now_ns);
+  if (config.policy == KeypointPolicy::kPass || age_s > config.hold.max_mask_age_s) tracks.Clear();
+}
+
+void HumanRemover::State::CarryInto(std::size_t index) {
+  PastFrame& now = history[index];
+  if (index == 0 || now.motion.empty()) {
+    now.people.Forget(now.cells.size());
+    return;
+  }
+  const PastFrame& before = history[index - 1];
+  CarryPeople(before.people, before.cells, now.motion, now.cells,
+              SecondsBetween(before.frame.stamp_ns, now.frame.stamp_ns), config.carry, now.people);
+}
+
+void HumanRemover::State::KeepCuts(std::vector<PersonCut>& cuts) const {
+  for (std::size_t i = 0; i < cuts.size(); ++i) cutter.cuts()[i].copyTo(cuts[i].cells);
+}
+
+void HumanRemover::State::CutSkeletons(PastFrame& entry, const Skeletons& skeletons,
+                                       double time_s) {
+  CutRequest request;
+  request.skeletons = &skeletons;
+  request.gravity = gravity;
+  cutter.CutCells(entry.frame, request);
+  seeds = cutter.people();
+  seen.assign(skeletons.people.size(), PersonCut());
+  KeepCuts(seen);
+  RecognisePeople(entry.people, time_s, tracks, seen);
+  tracks.NoteKeypoints(time_s);  // not before everybody could be recognised
+}
+
+CellSeeds HumanRemover::State::SeedsOf(const CellPeople& people, CellPerson person) const {
+  const int width = people.person.width();
+  const int height = people.person.height();
+  CellSeeds cells{cv::Mat::zeros(height, width, CV_8UC1), cv::Mat::zeros(height, width, CV_8UC1)};
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const CellPerson who = people.person.at(x, y);
+      if (who == person) cells.person.at<std::uint8_t>(y, x) = 255;
+      if (who == kNobody) cells.background.at<std::uint8_t>(y, x) = 255;
+    }
+  }
+  return cells;
+}
+
+/// People whom keypoints of this very frame do not show are cut by what was carried of them.
+void HumanRemover::State::CutCarried(const PastFrame& entry, double time_s, bool by_keypoints) {
+  CutRequest request;
+  request.gravity = gravity;
+  carried.clear();
+  const std::vector<int> cells = CountCells(entry.people);
+  for (int number = kNobody + 1; number <= kMaxPersonNumber; ++number) {
+    if (cells[static_cast<std::size_t>(number)] < config.hold.min_cells) continue;
+    const auto person = static_cast<CellPerson>(number);
+    if (by_keypoints && tracks.LastConfirmed(person) == time_s) continue;
+    request.cell_seeds.push_back(SeedsOf(entry.people, person));
+    carried.push_back({person, false, cv::Mat()});
+  }
+  if (carried.empty() && by_keypoints) return;  // the cells of the frame have been built
+  cutter.CutCells(entry.frame, request);
+  KeepCuts(carried);
+}
+
+void HumanRemover::State::CutAt(std::size_t index, const Skeletons* skeletons, cv::Mat& mask) {
+  PastFrame& entry = history[index];
+  const double time_s = Time(entry.frame.stamp_ns);
+  const bool by_keypoints = skeletons != nullptr;
+  ReleasePeople(tracks, entry.people);
+  if (by_keypoints) CutSkeletons(entry, *skeletons, time_s);
+  CutCarried(entry, time_s, by_keypoints);
+  UpdatePeople(by_keypoints ? &seen : nullptr, carried, entry.cells, time_s, tracks, entry.people);
+  MarkPeople(entry.people, cell_mask);
+  cutter.Refine(entry.frame, cell_mask, mask);
+}
+
+/// People of enough cells; the others are forgotten.
+int HumanRemover::State::CountPeople(const CellPeople& people) {
+  const std::vector<int> cells = CountCells(people);
+  int num_people = 0;
+  for (int number = kNobody + 1; number <= kMaxPersonNumber; ++number) {
+    if (cells[static_cast<std::size_t>(number)] >= config.hold.min_cells) {
+      ++num_people;
+    } else {
+      tracks.Forget(static_cast<CellPerson>(number));
+    }
+  }
+  return num_people;
+}
+
+HumanRemover::HumanRemover(const HumanRemovalConfig& config) {
+  CheckRanges("human_removal", config);
+  state_ = std::make_unique<State>(config);
+}
+
+HumanRemover::~HumanRemover() = default;
+
+HumanCut HumanRemover::Process(const RgbdFrame& frame, const std::vector<Skeletons>& arrived,
+                               const std::optional<Eigen::Vector3f>& gravity) {
+  State& s = *state_;
+  s.Check(frame);
+  s.gravity = gravity;
+  s.Append(frame);
+  const std::size_t last = s.history.size() - 1;
+  const Skeletons* newest = s.Newest(arrived);
+  HumanCut result;
+  result.has_own_keypoints = newest != nullptr && newest->stamp_ns == frame.stamp_ns;
+  s.ForgetWhatIsTooOld(frame.stamp_ns);
+  if (newest != nullptr && !result.has_own_keypoints) {
+    const std::size_t then = s.history.Find(newest->stamp_ns);
+    s.CutAt(then, newest, s.past_mask);
+    for (std::size_t index = then + 1; index < last; ++index) s.CarryInto(index);
+  }
+  s.CarryInto(last);
+  s.CutAt(last, result.has_own_keypoints ? newest : nullptr, result.mask);
+  result.num_people = s.CountPeople(s.history[last].people);
+  if (s.newest_keypoints_ns) {
+    result.mask_age_s = SecondsBetween(*s.newest_keypoints_ns, frame.stamp_ns);
+  }
+  return result;
+}
+
+void HumanRemover::Reset() {
+  const HumanRemovalConfig config = state_->config;
+  state_ = std::make_unique<State>(config);
+}
+
+const std::vector<PersonSeeds>& HumanRemover::seeds() const { return state_->seeds; }
+const KeypointCounts& HumanRemover::counts() const { return state_->counts; }
+const HumanRemovalConfig& HumanRemover::config() const { return state_->config; }
+
+cv::Mat StaticDepth(const cv::Mat& depth_m, const cv::Mat& mask) {
+  cv::Mat static_depth_m = depth_m.clone();
+  static_depth_m.setTo(0, mask);
+  return static_depth_m;
+}
+
+}  // namespace posefusion

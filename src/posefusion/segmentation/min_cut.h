@@ -1,0 +1,93 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <memory>
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <vector>
+
+#include "posefusion/image/grid.h"
+#include "posefusion/segmentation/cell_grid.h"
+#include "posefusion/segmentation/unseen_part.h"
+
+namespace posefusion {
+
+enum class MinCutBackend {
+  kPcl,   ///< pcl::MinCutSegmentation: the paper's graph of nearest neighbours in space
+  kGrid,  ///< graph of neighbouring cells of the image
+};
+
+/// Between which points the background penalty (equation 3) is taken.
+enum class PenaltyDistance {
+  kPlane,  ///< in the horizontal plane, or the image plane where gravity is unknown, as in the
+           ///< paper
+  kSpace,  ///< in space (own extension; only `grid` has it): nothing behind a person is near it
+};
+
+struct MinCutConfig {
+  MinCutBackend backend = MinCutBackend::kGrid;
+  double radius_m = 0.20;      ///< r of equation 3: what is this far from all seeds costs 1
+  double sigma_m = 0.25;       ///< sigma of equation 2
+  double source_weight = 0.8;  ///< cost of calling a point background (PCL's default)
+  PenaltyDistance penalty_distance = PenaltyDistance::kSpace;
+  double max_penalty = 0.82;        ///< grid: equation 3 stops growing here (own extension) ...
+  double reach_m = 0.35;            ///< ... and goes on this far from all seeds
+  double depth_gap_sigma_m = 0.05;  ///< grid: edges over depth gaps cost less (own extension)
+  double spacing_m = 0.015;  ///< grid: cells so far apart weigh equations 2 and 3 as they stand
+  int pcl_neighbours = 14;   ///< pcl: edges of a point (PCL's default)
+};
+
+template <class V>
+void Describe(V& v, MinCutConfig& c) {
+  v.Choice("backend", c.backend, {"pcl", "grid"});
+  v.Field("radius_m", c.radius_m, 0.02, 2.0);
+  v.Field("sigma_m", c.sigma_m, 0.01, 5.0);
+  v.Field("source_weight", c.source_weight, 0.01, 100.0);
+  v.Choice("penalty_distance", c.penalty_distance, {"plane", "space"});
+  v.Field("max_penalty", c.max_penalty, 0.1, 1000.0);
+  v.Field("depth_gap_sigma_m", c.depth_gap_sigma_m, 0.01, 100.0);
+  v.Field("reach_m", c.reach_m, 0.0, 10.0);
+  v.Field("spacing_m", c.spacing_m, 0.001, 1.0);
+  v.Field("pcl_neighbours", c.pcl_neighbours, 1, 100);
+}
+
+/// What is known of a cell before the cut.
+enum class CellState : std::uint8_t {
+  kOutside,     ///< no depth or out of the person's range: no vertex of the graph
+  kFree,        ///< to be decided
+  kPerson,      ///< certain; stays person whatever its neighbours are
+  kBackground,  ///< certain
+};
+
+/// One person to be cut out of a region of the cells.
+struct CutProblem {
+  const CellGrid* cells = nullptr;
+  cv::Rect region;                         ///< of the cells; not empty
+  Grid<CellState> states;                  ///< of the region
+  std::vector<Eigen::Vector3f> seeds;      ///< foreground points, camera frame
+  std::vector<UnseenPart> unseen_parts;    ///< equation 3 does not go on inside these (`grid`)
+  std::optional<Eigen::Vector3f> gravity;  ///< unit vector downwards, camera frame
+  double radius_m = 0;                     ///< r of equation 3
+  double source_weight = 0;                ///< cost of calling a free cell background
+};
+
+/// Divides the cells of a region into person and background at least cost:
+/// C = exp(-(len / sigma)^2) for neighbours that are parted (paper, equation 2), and for each cell
+/// `source_weight` when background, P = (distance to the nearest seed) / r when person (equation
+/// 3). Equal problems give equal cuts. Not thread-safe.
+class MinCut {
+ public:
+  virtual ~MinCut() = default;
+
+  /// `person` becomes CV_8UC1 of the region's size, 255 = person. All 0 without seeds.
+  virtual void Solve(const CutProblem& problem, cv::Mat& person) = 0;
+};
+
+/// Turns camera points so that the X-Y plane is that of equation 3: horizontal, with z downwards,
+/// where gravity is known; else the image plane.
+Eigen::Matrix3f RotationToPenaltyFrame(const std::optional<Eigen::Vector3f>& gravity);
+
+std::unique_ptr<MinCut> MakeMinCut(const MinCutConfig& config);
+
+}  // namespace posefusion

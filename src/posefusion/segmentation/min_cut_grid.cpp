@@ -1,0 +1,128 @@
+#include "posefusion/segmentation/min_cut_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc/detail/gcgraph.hpp>
+
+#include "posefusion/segmentation/seed_distance.h"
+
+namespace posefusion {
+namespace {
+
+using Graph = cv::detail::GCGraph<int>;
+
+constexpr float kWeightScale = 1000;  ///< whole numbers: a flow that ends exactly
+constexpr int kCertain = 10000000;    ///< more than all edges of a vertex together
+
+/// Half of the eight neighbours; the others follow from symmetry.
+const cv::Point kNeighbours[] = {{1, 0}, {-1, 1}, {0, 1}, {1, 1}};
+
+int Scaled(float weight) { return static_cast<int>(std::lround(weight * kWeightScale)); }
+
+/// How far a point lies beyond the reach of all seeds and unseen parts, metres.
+float BeyondReach(const Eigen::Vector3f& p_camera, float distance_m, float reach_m,
+                  const std::vector<UnseenPart>& parts) {
+  float beyond = distance_m - reach_m;
+  for (const UnseenPart& part : parts) {
+    if (beyond <= 0) return 0;
+    beyond = std::min(beyond, (part.p_camera - p_camera).norm() - part.radius_m);
+  }
+  return std::max(beyond, 0.0F);
+}
+
+}  // namespace
+
+MinCutGrid::MinCutGrid(const MinCutConfig& config) : config_(config) {}
+
+void MinCutGrid::AddVertices(const CutProblem& problem) {
+  vertices_.Resize(problem.region.width, problem.region.height);
+  vertices_.Fill(-1);
+  points_.clear();
+  places_.clear();
+  for (int y = 0; y < problem.region.height; ++y) {
+    for (int x = 0; x < problem.region.width; ++x) {
+      if (problem.states.at(x, y) == CellState::kOutside) continue;
+      vertices_.at(x, y) = static_cast<int>(points_.size());
+      points_.push_back(problem.cells->PointAt(problem.region.x + x, problem.region.y + y));
+      places_.emplace_back(x, y);
+    }
+  }
+}
+
+int MinCutGrid::SmoothnessWeight(const Eigen::Vector3f& a, const Eigen::Vector3f& b) const {
+  const auto sigma = static_cast<float>(config_.sigma_m);
+  const auto gap_sigma = static_cast<float>(config_.depth_gap_sigma_m);
+  const float gap = a.z() - b.z();
+  const float exponent =
+      (a - b).squaredNorm() / (sigma * sigma) + gap * gap / (gap_sigma * gap_sigma);
+  return Scaled(std::exp(-exponent));
+}
+
+/// Equation 3, level between the limit and the end of the reach.
+float MinCutGrid::Penalty(float distance_m, float beyond_m, double radius_m) const {
+  const auto radius = static_cast<float>(radius_m);
+  return std::min(distance_m / radius, static_cast<float>(config_.max_penalty)) + beyond_m / radius;
+}
+
+void MinCutGrid::Solve(const CutProblem& problem, cv::Mat& person) {
+  person.create(problem.region.size(), CV_8UC1);
+  person.setTo(0);
+  AddVertices(problem);
+  if (points_.empty()) return;
+  const bool in_plane = config_.penalty_distance == PenaltyDistance::kPlane;
+  const Eigen::Matrix3f R_penalty_camera = RotationToPenaltyFrame(problem.gravity);
+  const auto in_penalty_frame = [&](const Eigen::Vector3f& p_camera) -> Eigen::Vector3f {
+    if (!in_plane) return p_camera;
+    Eigen::Vector3f p = R_penalty_camera * p_camera;
+    p.z() = 0;
+    return p;
+  };
+  seeds_.clear();
+  for (const Eigen::Vector3f& seed : problem.seeds) seeds_.push_back(in_penalty_frame(seed));
+  const SeedDistance distance(seeds_);
+
+  Graph graph(static_cast<unsigned>(points_.size()), static_cast<unsigned>(8 * points_.size()));
+  const auto source_weight = static_cast<float>(problem.source_weight);
+  const float cell_per_spacing =
+      static_cast<float>(problem.cells->size_at_1m() / config_.spacing_m);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const int vertex = graph.addVtx();
+    const CellState state = problem.states.at(places_[i].x, places_[i].y);
+    if (state == CellState::kFree) {
+      const float metres = std::sqrt(distance.Squared(in_penalty_frame(points_[i])));
+      const float beyond = BeyondReach(points_[i], metres, static_cast<float>(config_.reach_m),
+                                       problem.unseen_parts);
+      const float penalty = Penalty(metres, beyond, problem.radius_m);
+      const float scale = cell_per_spacing * points_[i].z();
+      graph.addTermWeights(vertex, Scaled(scale * source_weight), Scaled(scale * penalty));
+    } else {
+      const bool is_person = state == CellState::kPerson;
+      graph.addTermWeights(vertex, is_person ? kCertain : 0, is_person ? 0 : kCertain);
+    }
+  }
+  const cv::Rect inside({0, 0}, problem.region.size());
+  bool has_edges = false;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    for (const cv::Point& step : kNeighbours) {
+      const cv::Point next = places_[i] + step;
+      if (!inside.contains(next)) continue;
+      const int other = vertices_.at(next.x, next.y);
+      if (other < 0) continue;
+      const int weight = SmoothnessWeight(points_[i], points_[static_cast<std::size_t>(other)]);
+      if (weight == 0) continue;
+      graph.addEdges(static_cast<int>(i), other, weight, weight);
+      has_edges = true;
+    }
+  }
+  if (!has_edges) return;
+  graph.maxFlow();
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (graph.inSourceSegment(static_cast<int>(i))) {
+      person.at<std::uint8_t>(places_[i]) = 255;
+    }
+  }
+}
+
+}  // namespace posefusion

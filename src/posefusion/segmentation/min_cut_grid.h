@@ -1,0 +1,33 @@
+#pragma once
+
+#include "posefusion/segmentation/min_cut.h"
+
+namespace posefusion {
+
+/// Min-cut on the image's own neighbourhood: each cell has edges to the eight around it. The
+/// maximum flow is OpenCV's GCGraph (Boykov and Kolmogorov 2004).
+///
+/// Own extensions to the paper's weights: equation 3 in space (penalty_distance: space); it stops
+/// growing at max_penalty, hardly above source_weight, so that parts of a body without a seed go
+/// with what they are connected to, until it goes on at reach_m; and C multiplied by exp(-(dz /
+/// depth_gap_sigma_m)^2), dz the difference in depth: neighbours in the image need not be
+/// neighbours in space.
+class MinCutGrid : public MinCut {
+ public:
+  explicit MinCutGrid(const MinCutConfig& config);
+
+  void Solve(const CutProblem& problem, cv::Mat& person) override;
+
+ private:
+  void AddVertices(const CutProblem& problem);
+  float Penalty(float distance_m, float beyond_m, double radius_m) const;
+  int SmoothnessWeight(const Eigen::Vector3f& a, const Eigen::Vector3f& b) const;
+
+  const MinCutConfig config_;
+  Grid<int> vertices_;                   ///< number of each cell's vertex; -1 = none
+  std::vector<Eigen::Vector3f> points_;  ///< of the vertices
+  std::vector<cv::Point> places_;        ///< of the vertices, in the region
+  std::vector<Eigen::Vector3f> seeds_;   ///< in the penalty's frame
+};
+
+}  // namespace posefusion

@@ -1,0 +1,114 @@
+#include "posefusion/segmentation/people_memory.h"
+
+#include <algorithm>
+#include <opencv2/core.hpp>
+
+namespace posefusion {
+namespace {
+
+/// A cut is of somebody known when it shares this much with them ...
+constexpr double kSharedOfCut = 0.25;
+/// ... or holds this much of them.
+constexpr double kSharedOfPerson = 0.5;
+/// Evidence for a cell that keypoints cover and of which nothing was known, and for one that only
+/// its neighbours speak for.
+constexpr float kFirstEvidence = 0.3F;
+constexpr float kWeakEvidence = 0.1F;
+
+constexpr std::size_t kNumNumbers = 256;
+
+bool IsPerson(CellPerson person) { return person != kNobody && person != kUnknownCell; }
+
+template <class Body>
+void ForEachCell(const CellPeople& people, const Body& body) {
+  for (int y = 0; y < people.person.height(); ++y) {
+    for (int x = 0; x < people.person.width(); ++x) body(x, y);
+  }
+}
+
+/// Number of the person of `people` whom the cut shows; kNobody when nobody known.
+CellPerson KnownPersonIn(const cv::Mat& cut, int cut_size, const CellPeople& people,
+                         const std::vector<int>& known) {
+  std::vector<int> shared(kNumNumbers, 0);
+  ForEachCell(people, [&](int x, int y) {
+    const CellPerson person = people.person.at(x, y);
+    if (cut.at<std::uint8_t>(y, x) != 0 && IsPerson(person)) ++shared[person];
+  });
+  const auto best = std::max_element(shared.begin(), shared.end());
+  const auto number = static_cast<std::size_t>(best - shared.begin());
+  const bool is_known =
+      *best > 0 && (*best >= kSharedOfCut * cut_size || *best >= kSharedOfPerson * known[number]);
+  return is_known ? static_cast<CellPerson>(number) : kNobody;
+}
+
+const PersonCut* CutAt(const std::vector<PersonCut>& cuts, int x, int y) {
+  const auto holds = [&](const PersonCut& cut) {
+    return cut.owner != kNobody && cut.cells.at<std::uint8_t>(y, x) != 0;
+  };
+  const auto cut = std::find_if(cuts.begin(), cuts.end(), holds);
+  return cut == cuts.end() ? nullptr : &*cut;
+}
+
+}  // namespace
+
+void RecognisePeople(const CellPeople& people, double time_s, PersonTracks& tracks,
+                     std::vector<PersonCut>& cuts) {
+  const std::vector<int> known = CountCells(people);
+  for (PersonCut& cut : cuts) {
+    const int size = cv::countNonZero(cut.cells);
+    cut.owner = size > 0 ? KnownPersonIn(cut.cells, size, people, known) : kNobody;
+    cut.is_new = size > 0 && cut.owner == kNobody;
+    if (cut.is_new) cut.owner = tracks.Add(time_s).value_or(kNobody);
+    if (cut.owner != kNobody) tracks.Confirm(cut.owner, time_s);
+  }
+}
+
+void UpdatePeople(const std::vector<PersonCut>* seen, const std::vector<PersonCut>& carried,
+                  const CellGrid& cells, double time_s, const PersonTracks& tracks,
+                  CellPeople& people) {
+  const auto gain = static_cast<float>(tracks.config().gain);
+  const auto loss = static_cast<float>(tracks.config().loss);
+  ForEachCell(people, [&](int x, int y) {
+    CellPerson& person = people.person.at(x, y);
+    float& evidence = people.evidence.at(x, y);
+    if (cells.DepthAt(x, y) <= 0) {
+      person = kUnknownCell;
+      return;
+    }
+    const PersonCut* by_keypoints = seen != nullptr ? CutAt(*seen, x, y) : nullptr;
+    if (person == kUnknownCell) {
+      const PersonCut* cut = by_keypoints != nullptr ? by_keypoints : CutAt(carried, x, y);
+      person = cut != nullptr ? cut->owner : kNobody;
+      evidence = by_keypoints != nullptr ? kFirstEvidence
+                                         : (cut != nullptr ? kWeakEvidence : -kWeakEvidence);
+    } else if (by_keypoints != nullptr) {
+      evidence = by_keypoints->is_new ? kFirstEvidence : evidence + gain * (1 - evidence);
+      if (evidence > 0) person = by_keypoints->owner;
+    } else if (seen != nullptr && (person == kNobody || tracks.LastConfirmed(person) == time_s)) {
+      evidence -= loss * (1 + evidence);
+      if (evidence <= 0) person = kNobody;
+    }
+  });
+}
+
+void ReleasePeople(const PersonTracks& tracks, CellPeople& people) {
+  ForEachCell(people, [&](int x, int y) {
+    CellPerson& person = people.person.at(x, y);
+    if (IsPerson(person) && !tracks.Holds(person)) person = kUnknownCell;
+  });
+}
+
+std::vector<int> CountCells(const CellPeople& people) {
+  std::vector<int> counts(kNumNumbers, 0);
+  ForEachCell(people, [&](int x, int y) { ++counts[people.person.at(x, y)]; });
+  return counts;
+}
+
+void MarkPeople(const CellPeople& people, cv::Mat& mask) {
+  mask.create(people.person.height(), people.person.width(), CV_8UC1);
+  ForEachCell(people, [&](int x, int y) {
+    mask.at<std::uint8_t>(y, x) = IsPerson(people.person.at(x, y)) ? 255 : 0;
+  });
+}
+
+}  // namespace posefusion

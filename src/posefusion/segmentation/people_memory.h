@@ -1,0 +1,42 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "posefusion/segmentation/carried_people.h"
+#include "posefusion/segmentation/person_tracks.h"
+
+namespace posefusion {
+
+/// Cells that a cut gave to one person.
+struct PersonCut {
+  CellPerson owner = kNobody;
+  bool is_new = false;  ///< nobody knew the owner before
+  cv::Mat cells;        ///< CV_8UC1 of the cells' size, 255 = the person
+};
+
+/// Who each cut made from keypoints is: the person of `people` that it shares most with, or
+/// somebody new, whom `tracks` then knows. Empty cuts are nobody's. Sets owner and is_new.
+void RecognisePeople(const CellPeople& people, double time_s, PersonTracks& tracks,
+                     std::vector<PersonCut>& cuts);
+
+/// What is known of a frame's cells, given what was carried into it (`people`), what was cut out
+/// with keypoints of this very frame (`seen`, null when there were none) and with carried cells
+/// (`carried`, people whom those keypoints do not show).
+///
+/// Evidence is smoothed: a part of somebody known that one cut adds or leaves out changes nothing
+/// yet. Somebody new counts at once.
+void UpdatePeople(const std::vector<PersonCut>* seen, const std::vector<PersonCut>& carried,
+                  const CellGrid& cells, double time_s, const PersonTracks& tracks,
+                  CellPeople& people);
+
+/// Cells of people who are not believed in any more become unknown.
+void ReleasePeople(const PersonTracks& tracks, CellPeople& people);
+
+/// Number of cells of everybody, by person.
+std::vector<int> CountCells(const CellPeople& people);
+
+/// `mask` becomes CV_8UC1 of the cells' size, 255 = anybody.
+void MarkPeople(const CellPeople& people, cv::Mat& mask);
+
+}  // namespace posefusion

@@ -1,0 +1,235 @@
+#include "posefusion/segmentation/person_cutter.h"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+
+#include "posefusion/config/config.h"
+#include "posefusion/segmentation/background_surfaces.h"
+
+namespace posefusion {
+namespace {
+
+constexpr std::size_t kMinSeeds = 2;        ///< of one person
+constexpr std::size_t kMaxCellSeeds = 150;  ///< points that stand for certain cells
+
+const HumanRemovalConfig& Checked(const HumanRemovalConfig& config) {
+  CheckRanges("human_removal", config);
+  return config;
+}
+
+/// The cell that shows a pixel, where it is inside the grid.
+std::optional<cv::Point> CellOf(const CellGrid& cells, const cv::Point2f& pixel) {
+  const auto size = static_cast<float>(cells.size_px());
+  const cv::Point cell(cvFloor((pixel.x + 0.5F) / size), cvFloor((pixel.y + 0.5F) / size));
+  if (!cv::Rect({0, 0}, cells.size()).contains(cell)) return std::nullopt;
+  return cell;
+}
+
+}  // namespace
+
+struct PersonCutter::Parts {
+  explicit Parts(const HumanRemovalConfig& c)
+      : config(c),
+        cells(c.cells),
+        surfaces(c.background_surfaces),
+        min_cut(MakeMinCut(c.min_cut)),
+        refinement(c.mask) {}
+
+  const HumanRemovalConfig config;
+  CellGrid cells;
+  BackgroundSurfaces surfaces;
+  std::unique_ptr<MinCut> min_cut;
+  MaskRefinement refinement;
+  std::vector<PersonSeeds> people;   ///< of the skeletons
+  std::vector<PersonSeeds> carried;  ///< of the cell seeds
+  Grid<std::uint8_t> background;     ///< cells on surfaces that are no person's
+  CutProblem problem;
+  cv::Mat cut;
+  cv::Mat cell_mask;
+  std::vector<cv::Mat> cuts;
+  std::size_t current_cut = 0;
+
+  /// A cut without anybody, to be filled by Solve().
+  void BeginCut(std::size_t index) {
+    if (cuts.size() <= index) cuts.resize(index + 1);
+    cuts[index].create(cells.size(), CV_8UC1);
+    cuts[index].setTo(0);
+    current_cut = index;
+  }
+
+  /// Makes the cells of the region with depth in its range free.
+  void OpenRegion(const PersonRegion& region) {
+    problem.cells = &cells;
+    problem.region = region.cells;
+    problem.states.Resize(region.cells.width, region.cells.height);
+    for (int y = 0; y < region.cells.height; ++y) {
+      for (int x = 0; x < region.cells.width; ++x) {
+        const float z = cells.DepthAt(region.cells.x + x, region.cells.y + y);
+        const bool in_range = z > 0 && z >= region.min_depth_m && z <= region.max_depth_m;
+        const bool on_surface = background.at(region.cells.x + x, region.cells.y + y) != 0;
+        problem.states.at(x, y) = !in_range    ? CellState::kOutside
+                                  : on_surface ? CellState::kBackground
+                                               : CellState::kFree;
+      }
+    }
+  }
+
+  void Solve() {
+    min_cut->Solve(problem, cut);
+    cv::Mat part = cell_mask(problem.region);
+    cv::bitwise_or(part, cut, part);
+    cut.copyTo(cuts[current_cut](problem.region));
+  }
+
+  /// Cuts the person with these seeds out, seeds on background surfaces left out.
+  bool OpenProblem(const PersonSeeds& person, const CameraModel& camera) {
+    PersonSeeds kept = person;
+    const auto is_on_background = [&](const Seed& seed) {
+      const auto cell = CellOf(cells, seed.pixel);
+      return cell && background.at(cell->x, cell->y) != 0;
+    };
+    kept.seeds.erase(std::remove_if(kept.seeds.begin(), kept.seeds.end(), is_on_background),
+                     kept.seeds.end());
+    const PersonRegion region = RegionOf(kept, cells, camera, config.region);
+    if (kept.seeds.size() < kMinSeeds || region.cells.empty()) return false;
+    OpenRegion(region);
+    problem.radius_m = config.min_cut.radius_m;
+    problem.source_weight = config.min_cut.source_weight;
+    problem.seeds.clear();
+    for (const Seed& seed : kept.seeds) problem.seeds.push_back(seed.p_camera);
+    problem.unseen_parts = person.unseen_parts;
+    return true;
+  }
+
+  void CutPerson(const PersonSeeds& person, const CameraModel& camera) {
+    if (OpenProblem(person, camera)) Solve();
+  }
+
+  /// Seeds from certain cells, and the same certain cells fixed.
+  void CutCells(const CellSeeds& seeds, const PersonSeeds& person, const CameraModel& camera) {
+    if (!OpenProblem(person, camera)) return;
+    problem.radius_m = config.carry.radius_m;
+    problem.source_weight = config.carry.source_weight;
+    FixCells(seeds);
+    Solve();
+  }
+
+  /// Planes are looked for away from everybody.
+  void FindSurfaces() {
+    std::vector<Eigen::Vector3f> seeds;
+    for (const auto* persons : {&people, &carried}) {
+      for (const PersonSeeds& person : *persons) {
+        for (const Seed& seed : person.seeds) seeds.push_back(seed.p_camera);
+        for (const UnseenPart& part : person.unseen_parts) seeds.push_back(part.p_camera);
+      }
+    }
+    surfaces.Find(cells, seeds, background);
+  }
+
+  PersonSeeds SeedsOf(const CellSeeds& seeds) const;
+  void FixCells(const CellSeeds& seeds);
+};
+
+PersonSeeds PersonCutter::Parts::SeedsOf(const CellSeeds& seeds) const {
+  std::vector<cv::Point> places;
+  for (int y = 0; y < cells.height(); ++y) {
+    for (int x = 0; x < cells.width(); ++x) {
+      const bool denied = !seeds.background.empty() && seeds.background.at<std::uint8_t>(y, x) != 0;
+      if (seeds.person.at<std::uint8_t>(y, x) == 0 || denied || cells.DepthAt(x, y) <= 0) continue;
+      places.emplace_back(x, y);
+    }
+  }
+  PersonSeeds person;
+  person.found.fill(true);  // nothing is known to be missing
+  const std::size_t step = 1 + places.size() / kMaxCellSeeds;
+  const float size = static_cast<float>(cells.size_px());
+  std::vector<float> depths;
+  for (std::size_t i = 0; i < places.size(); i += step) {
+    const cv::Point place = places[i];
+    const cv::Point2f centre((static_cast<float>(place.x) + 0.5F) * size - 0.5F,
+                             (static_cast<float>(place.y) + 0.5F) * size - 0.5F);
+    person.seeds.push_back({centre, cells.PointAt(place.x, place.y)});
+    depths.push_back(cells.DepthAt(place.x, place.y));
+  }
+  if (depths.empty()) return person;
+  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+  std::nth_element(depths.begin(), middle, depths.end());
+  person.body_depth_m = *middle;
+  return person;
+}
+
+void PersonCutter::Parts::FixCells(const CellSeeds& seeds) {
+  for (int y = 0; y < problem.region.height; ++y) {
+    for (int x = 0; x < problem.region.width; ++x) {
+      CellState& state = problem.states.at(x, y);
+      if (state == CellState::kOutside) continue;
+      const cv::Point cell(problem.region.x + x, problem.region.y + y);
+      if (seeds.person.at<std::uint8_t>(cell) != 0) state = CellState::kPerson;
+      if (!seeds.background.empty() && seeds.background.at<std::uint8_t>(cell) != 0) {
+        state = CellState::kBackground;
+      }
+    }
+  }
+}
+
+PersonCutter::PersonCutter(const HumanRemovalConfig& config)
+    : parts_(std::make_unique<Parts>(Checked(config))) {}
+
+PersonCutter::~PersonCutter() = default;
+
+void PersonCutter::Cut(const RgbdFrame& frame, const CutRequest& request, cv::Mat& mask) {
+  CutCells(frame, request);
+  Refine(frame, parts_->cell_mask, mask);
+}
+
+void PersonCutter::Refine(const RgbdFrame& frame, const cv::Mat& cell_mask, cv::Mat& mask) {
+  mask.create(frame.depth_m.size(), CV_8UC1);
+  mask.setTo(0);
+  parts_->refinement.Apply(cell_mask, parts_->cells, frame.depth_m, mask);
+}
+
+void PersonCutter::CutCells(const RgbdFrame& frame, const CutRequest& request) {
+  Parts& p = *parts_;
+  p.cells.Build(frame.depth_m, frame.camera);
+  p.cell_mask.create(p.cells.size(), CV_8UC1);
+  p.cell_mask.setTo(0);
+  p.problem.gravity = request.gravity;
+  p.people.clear();
+  std::size_t num_cuts = 0;
+  p.carried.clear();
+  if (request.skeletons != nullptr) {
+    for (const Skeleton& skeleton : request.skeletons->people) {
+      p.people.push_back(LiftPerson(skeleton, frame, p.config.seeds));
+    }
+  }
+  for (const CellSeeds& seeds : request.cell_seeds) p.carried.push_back(p.SeedsOf(seeds));
+  p.FindSurfaces();
+  for (const PersonSeeds& person : p.people) {
+    p.BeginCut(num_cuts++);
+    p.CutPerson(person, frame.camera);
+  }
+  for (std::size_t i = 0; i < p.carried.size(); ++i) {
+    p.BeginCut(num_cuts++);
+    p.CutCells(request.cell_seeds[i], p.carried[i], frame.camera);
+  }
+  p.cuts.resize(num_cuts);
+}
+
+void PersonCutter::Cut(const RgbdFrame& frame, const Skeletons& skeletons, cv::Mat& mask) {
+  CutRequest request;
+  request.skeletons = &skeletons;
+  Cut(frame, request, mask);
+}
+
+cv::Size PersonCutter::CellSize(const RgbdFrame& frame) const {
+  const int size = parts_->config.cells.size_px;
+  return {(frame.depth_m.cols + size - 1) / size, (frame.depth_m.rows + size - 1) / size};
+}
+
+const CellGrid& PersonCutter::cells() const { return parts_->cells; }
+const Grid<std::uint8_t>& PersonCutter::background_cells() const { return parts_->background; }
+const cv::Mat& PersonCutter::cell_mask() const { return parts_->cell_mask; }
+const std::vector<cv::Mat>& PersonCutter::cuts() const { return parts_->cuts; }
+const std::vector<PersonSeeds>& PersonCutter::people() const { return parts_->people; }
+
+}  // namespace posefusion

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace posefusion {
+
+/// Where a part of a body may be of which no joint was found.
+struct UnseenPart {
+  Eigen::Vector3f p_camera;  ///< metres
+  float radius_m = 0;
+};
+
+}  // namespace posefusion

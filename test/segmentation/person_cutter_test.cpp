@@ -1,0 +1,129 @@
+#include "posefusion/segmentation/person_cutter.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/core.hpp>
+#include <stdexcept>
+
+#include "posefusion/evaluation/mask_evaluation.h"
+#include "test/segmentation/synthetic_person.h"
+
+namespace posefusion {
+namespace {
+
+class PersonCutterTest : public testing::TestWithParam<MinCutBackend> {
+ protected:
+  /// The paper's graph has nothing that takes the outline of a body beyond r of the bones.
+  static double GoodRecall() { return GetParam() == MinCutBackend::kPcl ? 0.9 : 0.97; }
+
+  static HumanRemovalConfig Config() {
+    HumanRemovalConfig config;
+    config.min_cut.backend = GetParam();
+    return config;
+  }
+
+  static cv::Mat Cut(const SyntheticScene& scene) {
+    PersonCutter cutter(Config());
+    Skeletons skeletons;
+    skeletons.people = {scene.Joints()};
+    cv::Mat mask;
+    cutter.Cut(scene.Render(), skeletons, mask);
+    return mask;
+  }
+
+  static MaskCounts Score(const SyntheticScene& scene, const cv::Mat& mask) {
+    return ScoreMask(scene.TrueMask(), mask, scene.Render().depth_m, nullptr, {}).counts;
+  }
+};
+
+TEST_P(PersonCutterTest, CutsAPersonWhoStandsOnTheFloor) {
+  SyntheticScene scene;
+  scene.person_m = 3.0;
+  scene.wall_m = 4.5;
+  const MaskCounts counts = Score(scene, Cut(scene));
+  EXPECT_GT(counts.Recall(), GoodRecall());
+  EXPECT_GT(counts.Precision(), 0.93);
+}
+
+TEST_P(PersonCutterTest, CutsAPersonSeenThroughALens) {
+  SyntheticScene scene;
+  scene.camera = DistortedCamera();
+  scene.person_x_m = -0.7;
+  const MaskCounts counts = Score(scene, Cut(scene));
+  EXPECT_GT(counts.Recall(), GoodRecall());
+  EXPECT_GT(counts.Precision(), 0.95);
+}
+
+TEST_P(PersonCutterTest, CutsAPersonAtTheBorderOfTheImage) {
+  SyntheticScene scene;
+  scene.person_x_m = 1.2;
+  const MaskCounts counts = Score(scene, Cut(scene));
+  EXPECT_GT(counts.Recall(), GoodRecall());
+  EXPECT_GT(counts.Precision(), 0.95);
+}
+
+TEST_P(PersonCutterTest, CutsNothingOutOfAWall) {
+  SyntheticScene scene;
+  scene.wall_m = scene.person_m;
+  EXPECT_EQ(cv::countNonZero(Cut(scene)), 0);
+}
+
+TEST_P(PersonCutterTest, CutsFromCertainCells) {
+  SyntheticScene scene;
+  scene.person_m = 3.0;
+  scene.wall_m = 4.5;
+  const RgbdFrame frame = scene.Render();
+  PersonCutter cutter(Config());
+  CutRequest request;
+  request.cell_seeds.resize(1);
+  request.cell_seeds[0].person = cv::Mat::zeros(cutter.CellSize(frame), CV_8UC1);
+  request.cell_seeds[0].person(cv::Rect(75, 45, 11, 60)).setTo(255);
+  cv::Mat mask;
+  cutter.Cut(frame, request, mask);
+  const MaskCounts counts = Score(scene, mask);
+  EXPECT_GT(counts.Recall(), 0.9);
+  EXPECT_GT(counts.Precision(), 0.9);
+}
+
+TEST_P(PersonCutterTest, GivesTheSameMaskWhateverCameBefore) {
+  SyntheticScene scene;
+  const cv::Mat first = Cut(scene);
+  PersonCutter cutter(Config());
+  Skeletons skeletons;
+  SyntheticScene other;
+  other.person_x_m = 0.5;
+  skeletons.people = {other.Joints()};
+  cv::Mat mask;
+  cutter.Cut(other.Render(), skeletons, mask);
+  skeletons.people = {scene.Joints()};
+  cutter.Cut(scene.Render(), skeletons, mask);
+  EXPECT_EQ(cv::norm(first, mask, cv::NORM_INF), 0);
+}
+
+TEST_P(PersonCutterTest, CutsNobodyWithoutSkeletons) {
+  PersonCutter cutter(Config());
+  cv::Mat mask;
+  cutter.Cut(SyntheticScene().Render(), Skeletons(), mask);
+  EXPECT_EQ(mask.size(), cv::Size(640, 480));
+  EXPECT_EQ(cv::countNonZero(mask), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, PersonCutterTest,
+                         testing::Values(MinCutBackend::kPcl, MinCutBackend::kGrid),
+                         [](const auto& info) {
+                           return std::string(info.param == MinCutBackend::kPcl ? "Pcl" : "Grid");
+                         });
+
+TEST(PersonCutter, RefusesValuesOutOfRangeByName) {
+  HumanRemovalConfig config;
+  config.min_cut.radius_m = -1;
+  try {
+    PersonCutter cutter(config);
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("human_removal.min_cut.radius_m"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace posefusion

@@ -1,0 +1,124 @@
+#include "posefusion/segmentation/seeds.h"
+
+#include <gtest/gtest.h>
+
+#include "test/segmentation/synthetic_person.h"
+
+namespace posefusion {
+namespace {
+
+constexpr float kMillimetre = 0.001F;
+constexpr int kJointsInView = 12;  ///< of 14; the ankles are below the image
+
+SeedConfig JointsOnly() {
+  SeedConfig config;
+  config.seed_along_bones = false;
+  config.seed_extremities = false;
+  return config;
+}
+
+TEST(LiftPerson, PutsJointsWhereTheyAre) {
+  SyntheticScene scene;
+  scene.person_x_m = 0.4;
+  const PersonSeeds person = LiftPerson(scene.Joints(), scene.Render(), JointsOnly());
+  ASSERT_EQ(person.num_joints, kJointsInView);
+  EXPECT_NEAR(person.body_depth_m, 2.0F, kMillimetre);
+  EXPECT_LT((person.seeds[1].p_camera - Eigen::Vector3f(0.4F, -0.2F, 2)).norm(), kMillimetre);
+}
+
+TEST(LiftPerson, TakesLensDistortionOut) {
+  SyntheticScene scene;
+  scene.camera = DistortedCamera();
+  scene.person_x_m = 0.9;
+  const PersonSeeds person = LiftPerson(scene.Joints(), scene.Render(), JointsOnly());
+  ASSERT_EQ(person.num_joints, kJointsInView);
+  EXPECT_LT((person.seeds[1].p_camera - Eigen::Vector3f(0.9F, -0.2F, 2)).norm(), kMillimetre);
+}
+
+TEST(LiftPerson, TakesThePersonsSideOfADepthEdge) {
+  const SyntheticScene scene;
+  Skeleton joints = scene.Joints();
+  joints[kRightElbow] = scene.JointAt(-scene.half_width_m - 0.005, 0.08);  // 1 px beside the slab
+  const PersonSeeds person = LiftPerson(joints, scene.Render(), JointsOnly());
+  ASSERT_TRUE(person.found[kRightElbow]);
+  EXPECT_NEAR(person.seeds[kRightElbow].p_camera.z(), 2.0F, kMillimetre);
+}
+
+TEST(LiftPerson, DropsAJointOnTheWallBehind) {
+  const SyntheticScene scene;
+  Skeleton joints = scene.Joints();
+  joints[kRightElbow] = scene.JointAt(-0.5, 0.08);
+  EXPECT_FALSE(LiftPerson(joints, scene.Render(), JointsOnly()).found[kRightElbow]);
+}
+
+TEST(LiftPerson, DropsAJointBehindATable) {
+  const SyntheticScene scene;
+  RgbdFrame frame = scene.Render();
+  frame.depth_m.rowRange(330, 480).setTo(1.2F);
+  const PersonSeeds person = LiftPerson(scene.Joints(), frame, JointsOnly());
+  EXPECT_FALSE(person.found[kRightKnee]);
+  EXPECT_TRUE(person.found[kRightElbow]);
+}
+
+TEST(LiftPerson, DropsAnUncertainJointThatIsNearerThanTheBody) {
+  const SyntheticScene scene;
+  RgbdFrame frame = scene.Render();
+  frame.depth_m.rowRange(330, 480).setTo(1.6F);
+  Skeleton joints = scene.Joints();
+  EXPECT_TRUE(LiftPerson(joints, frame, JointsOnly()).found[kRightKnee]);
+  joints[kRightKnee].p = 0.2F;
+  EXPECT_FALSE(LiftPerson(joints, frame, JointsOnly()).found[kRightKnee]);
+}
+
+TEST(LiftPerson, DropsJointsWithoutDepthAndWithLittleConfidence) {
+  const SyntheticScene scene;
+  RgbdFrame frame = scene.Render();
+  Skeleton joints = scene.Joints();
+  joints[kLeftKnee].p = 0.05F;
+  const Joint hip = joints[kLeftHip];
+  frame.depth_m(cv::Rect(static_cast<int>(hip.u) - 6, static_cast<int>(hip.v) - 6, 13, 13))
+      .setTo(0);
+  const PersonSeeds person = LiftPerson(joints, frame, JointsOnly());
+  EXPECT_FALSE(person.found[kLeftHip]);
+  EXPECT_FALSE(person.found[kLeftKnee]);
+  EXPECT_TRUE(person.found[kRightKnee]);
+}
+
+TEST(LiftPerson, DropsAJointFartherThanABoneIsLong) {
+  SyntheticScene scene;
+  Skeleton joints = scene.Joints();
+  scene.half_width_m = 1.4;  // something as near as the person beside it
+  joints[kRightWrist] = scene.JointAt(-1.2, 0.3);
+  EXPECT_FALSE(LiftPerson(joints, scene.Render(), JointsOnly()).found[kRightWrist]);
+}
+
+TEST(LiftPerson, SeedsBonesOnThePersonOnly) {
+  const SyntheticScene scene;
+  RgbdFrame frame = scene.Render();
+  SeedConfig config = JointsOnly();
+  config.seed_along_bones = true;
+  const PersonSeeds person = LiftPerson(scene.Joints(), frame, config);
+  EXPECT_GT(person.seeds.size(), 60U);
+  for (const Seed& seed : person.seeds) EXPECT_NEAR(seed.p_camera.z(), 2.0F, kMillimetre);
+}
+
+TEST(LiftPerson, GivesNothingWithoutDepth) {
+  const SyntheticScene scene;
+  RgbdFrame frame = scene.Render();
+  frame.depth_m.setTo(0);
+  EXPECT_TRUE(LiftPerson(scene.Joints(), frame, SeedConfig()).seeds.empty());
+}
+
+TEST(LiftPerson, EnduresJointsThatAreNoNumbersOrFarOutside) {
+  const SyntheticScene scene;
+  Skeleton joints = scene.Joints();
+  joints[kNose] = {std::nanf(""), 5, 0.9F};
+  joints[kNeck] = {1e30F, -1e30F, 0.9F};
+  const PersonSeeds person = LiftPerson(joints, scene.Render(), SeedConfig());
+  EXPECT_FALSE(person.found[kNose]);
+  EXPECT_FALSE(person.found[kNeck]);
+  EXPECT_TRUE(person.found[kRightHip]);
+}
+
+}  // namespace
+}  // namespace posefusion
