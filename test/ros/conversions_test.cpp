@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <opencv2/core.hpp>
 #include <stdexcept>
 
 #include "posefusion_ros/shared_image.h"

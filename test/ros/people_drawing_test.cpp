@@ -14,7 +14,8 @@ PersonSeeds ThreeJoints() {
   PersonSeeds person;
   person.found[kNeck] = person.found[kRightShoulder] = person.found[kLeftAnkle] = true;
   person.num_joints = 3;
-  for (int i = 0; i < 4; ++i) person.seeds.push_back({{}, Eigen::Vector3f(0, 0, 1.0F + i)});
+  for (int i = 0; i < 4; ++i)
+    person.seeds.push_back({{}, Eigen::Vector3f(0, 0, 1 + static_cast<float>(i))});
   return person;
 }
 
