@@ -1,5 +1,6 @@
 #include "posefusion/segmentation/human_remover.h"
 
+#include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <utility>
 
@@ -25,6 +26,7 @@ struct HumanRemover::State {
   void CarryInto(std::size_t index);
   void CutAt(std::size_t index, const Skeletons* skeletons, cv::Mat& mask);
   void CutSkeletons(PastFrame& entry, const Skeletons& skeletons, double time_s);
+  void MarkSure(const PastFrame& entry);
   void CutCarried(const PastFrame& entry, double time_s, bool by_keypoints);
   CellSeeds SeedsOf(const CellPeople& people, CellPerson person) const;
   void KeepCuts(std::vector<PersonCut>& cuts) const;
@@ -41,7 +43,7 @@ struct HumanRemover::State {
   std::optional<StampNs> newest_keypoints_ns;
   KeypointCounts counts;
   std::vector<PersonSeeds> seeds;
-  std::vector<PersonCut> seen;     ///< cut with keypoints
+  KeypointCuts seen;               ///< cut with keypoints
   std::vector<PersonCut> carried;  ///< cut with carried cells
   cv::Mat cell_mask;
   cv::Mat past_mask;
@@ -112,10 +114,31 @@ void HumanRemover::State::CutSkeletons(PastFrame& entry, const Skeletons& skelet
   request.gravity = gravity;
   cutter.CutCells(entry.frame, request);
   seeds = cutter.people();
-  seen.assign(skeletons.people.size(), PersonCut());
-  KeepCuts(seen);
-  RecognisePeople(entry.people, time_s, tracks, seen);
+  seen.cuts.assign(skeletons.people.size(), PersonCut());
+  KeepCuts(seen.cuts);
+  MarkSure(entry);
+  RecognisePeople(entry.people, time_s, tracks, seen.cuts);
   tracks.NoteKeypoints(time_s);  // not before everybody could be recognised
+}
+
+/// Where the cuts made with keypoints know what is not person.
+void HumanRemover::State::MarkSure(const PastFrame& entry) {
+  const Grid<std::uint8_t>& surfaces = cutter.background_cells();
+  const cv::Size size = entry.cells.size();
+  seen.near_seeds.create(size, CV_8UC1);
+  seen.near_seeds.setTo(0);
+  seen.surfaces.create(size, CV_8UC1);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) seen.surfaces.at<std::uint8_t>(y, x) = surfaces.at(x, y);
+  }
+  const double radius_at_1m = config.hold.sure_radius_m / entry.cells.size_at_1m();
+  for (const PersonSeeds& person : seeds) {
+    for (const Seed& seed : person.seeds) {
+      const cv::Point2f cell = seed.pixel / static_cast<float>(entry.cells.size_px());
+      const auto radius = static_cast<int>(radius_at_1m / static_cast<double>(seed.p_camera.z()));
+      cv::circle(seen.near_seeds, cell, radius, 255, cv::FILLED);
+    }
+  }
 }
 
 CellSeeds HumanRemover::State::SeedsOf(const CellPeople& people, CellPerson person) const {

@@ -34,6 +34,8 @@ struct MinCutConfig {
   double max_penalty = 0.82;        ///< grid: equation 3 stops growing here (own extension) ...
   double reach_m = 0.35;            ///< ... and goes on this far from all seeds
   double depth_gap_sigma_m = 0.05;  ///< grid: edges over depth gaps cost less (own extension)
+  double colour_sigma = 30;       ///< grid: edges over colour differences cost less (0 to 442) ...
+  double min_colour_share = 0.2;  ///< ... down to this share (own extension)
   double spacing_m = 0.015;  ///< grid: cells so far apart weigh equations 2 and 3 as they stand
   int pcl_neighbours = 14;   ///< pcl: edges of a point (PCL's default)
 };
@@ -47,6 +49,8 @@ void Describe(V& v, MinCutConfig& c) {
   v.Choice("penalty_distance", c.penalty_distance, {"plane", "space"});
   v.Field("max_penalty", c.max_penalty, 0.1, 1000.0);
   v.Field("depth_gap_sigma_m", c.depth_gap_sigma_m, 0.01, 100.0);
+  v.Field("colour_sigma", c.colour_sigma, 1.0, 100000.0);
+  v.Field("min_colour_share", c.min_colour_share, 0.0, 1.0);
   v.Field("reach_m", c.reach_m, 0.0, 10.0);
   v.Field("spacing_m", c.spacing_m, 0.001, 1.0);
   v.Field("pcl_neighbours", c.pcl_neighbours, 1, 100);
@@ -63,6 +67,7 @@ enum class CellState : std::uint8_t {
 /// One person to be cut out of a region of the cells.
 struct CutProblem {
   const CellGrid* cells = nullptr;
+  cv::Mat colours;                         ///< CV_8UC3 of the cells; empty: not used (`grid`)
   cv::Rect region;                         ///< of the cells; not empty
   Grid<CellState> states;                  ///< of the region
   std::vector<Eigen::Vector3f> seeds;      ///< foreground points, camera frame

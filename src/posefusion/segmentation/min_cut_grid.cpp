@@ -51,13 +51,31 @@ void MinCutGrid::AddVertices(const CutProblem& problem) {
   }
 }
 
-int MinCutGrid::SmoothnessWeight(const Eigen::Vector3f& a, const Eigen::Vector3f& b) const {
+int MinCutGrid::SmoothnessWeight(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
+                                 float colour_share) const {
   const auto sigma = static_cast<float>(config_.sigma_m);
   const auto gap_sigma = static_cast<float>(config_.depth_gap_sigma_m);
   const float gap = a.z() - b.z();
   const float exponent =
       (a - b).squaredNorm() / (sigma * sigma) + gap * gap / (gap_sigma * gap_sigma);
-  return Scaled(std::exp(-exponent));
+  return Scaled(colour_share * std::exp(-exponent));
+}
+
+/// What the colours of two cells of the region leave of the cost of parting them.
+float MinCutGrid::ColourShare(const CutProblem& problem, const cv::Point& a,
+                              const cv::Point& b) const {
+  if (problem.colours.empty()) return 1;
+  const cv::Point origin = problem.region.tl();
+  const auto& first = problem.colours.at<cv::Vec3b>(a + origin);
+  const auto& second = problem.colours.at<cv::Vec3b>(b + origin);
+  float squared = 0;
+  for (int i = 0; i < 3; ++i) {
+    const auto difference = static_cast<float>(first[i] - second[i]);
+    squared += difference * difference;
+  }
+  const auto sigma = static_cast<float>(config_.colour_sigma);
+  const auto least = static_cast<float>(config_.min_colour_share);
+  return least + (1 - least) * std::exp(-squared / (sigma * sigma));
 }
 
 /// Equation 3, level between the limit and the end of the reach.
@@ -110,7 +128,8 @@ void MinCutGrid::Solve(const CutProblem& problem, cv::Mat& person) {
       if (!inside.contains(next)) continue;
       const int other = vertices_.at(next.x, next.y);
       if (other < 0) continue;
-      const int weight = SmoothnessWeight(points_[i], points_[static_cast<std::size_t>(other)]);
+      const int weight = SmoothnessWeight(points_[i], points_[static_cast<std::size_t>(other)],
+                                          ColourShare(problem, places_[i], next));
       if (weight == 0) continue;
       graph.addEdges(static_cast<int>(i), other, weight, weight);
       has_edges = true;

@@ -11,7 +11,7 @@ namespace posefusion {
 /// growing at max_penalty, hardly above source_weight, so that parts of a body without a seed go
 /// with what they are connected to, until it goes on at reach_m; and C multiplied by exp(-(dz /
 /// depth_gap_sigma_m)^2), dz the difference in depth: neighbours in the image need not be
-/// neighbours in space.
+/// neighbours in space; and by a share that falls with the difference in colour.
 class MinCutGrid : public MinCut {
  public:
   explicit MinCutGrid(const MinCutConfig& config);
@@ -21,7 +21,8 @@ class MinCutGrid : public MinCut {
  private:
   void AddVertices(const CutProblem& problem);
   float Penalty(float distance_m, float beyond_m, double radius_m) const;
-  int SmoothnessWeight(const Eigen::Vector3f& a, const Eigen::Vector3f& b) const;
+  int SmoothnessWeight(const Eigen::Vector3f& a, const Eigen::Vector3f& b, float colour_share) const;
+  float ColourShare(const CutProblem& problem, const cv::Point& a, const cv::Point& b) const;
 
   const MinCutConfig config_;
   Grid<int> vertices_;                   ///< number of each cell's vertex; -1 = none

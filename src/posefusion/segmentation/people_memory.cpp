@@ -41,6 +41,13 @@ CellPerson KnownPersonIn(const cv::Mat& cut, int cut_size, const CellPeople& peo
   return is_known ? static_cast<CellPerson>(number) : kNobody;
 }
 
+/// Share of the way to -1 that evidence goes for a cell that the cuts leave out.
+float LossAt(const KeypointCuts& seen, const PersonHoldConfig& hold, int x, int y) {
+  if (seen.surfaces.at<std::uint8_t>(y, x) != 0) return static_cast<float>(hold.surface_loss);
+  const bool is_near = seen.near_seeds.at<std::uint8_t>(y, x) != 0;
+  return static_cast<float>(is_near ? hold.loss : hold.far_loss);
+}
+
 const PersonCut* CutAt(const std::vector<PersonCut>& cuts, int x, int y) {
   const auto holds = [&](const PersonCut& cut) {
     return cut.owner != kNobody && cut.cells.at<std::uint8_t>(y, x) != 0;
@@ -63,11 +70,10 @@ void RecognisePeople(const CellPeople& people, double time_s, PersonTracks& trac
   }
 }
 
-void UpdatePeople(const std::vector<PersonCut>* seen, const std::vector<PersonCut>& carried,
+void UpdatePeople(const KeypointCuts* seen, const std::vector<PersonCut>& carried,
                   const CellGrid& cells, double time_s, const PersonTracks& tracks,
                   CellPeople& people) {
   const auto gain = static_cast<float>(tracks.config().gain);
-  const auto loss = static_cast<float>(tracks.config().loss);
   ForEachCell(people, [&](int x, int y) {
     CellPerson& person = people.person.at(x, y);
     float& evidence = people.evidence.at(x, y);
@@ -75,7 +81,7 @@ void UpdatePeople(const std::vector<PersonCut>* seen, const std::vector<PersonCu
       person = kUnknownCell;
       return;
     }
-    const PersonCut* by_keypoints = seen != nullptr ? CutAt(*seen, x, y) : nullptr;
+    const PersonCut* by_keypoints = seen != nullptr ? CutAt(seen->cuts, x, y) : nullptr;
     if (person == kUnknownCell) {
       const PersonCut* cut = by_keypoints != nullptr ? by_keypoints : CutAt(carried, x, y);
       person = cut != nullptr ? cut->owner : kNobody;
@@ -85,7 +91,7 @@ void UpdatePeople(const std::vector<PersonCut>* seen, const std::vector<PersonCu
       evidence = by_keypoints->is_new ? kFirstEvidence : evidence + gain * (1 - evidence);
       if (evidence > 0) person = by_keypoints->owner;
     } else if (seen != nullptr && (person == kNobody || tracks.LastConfirmed(person) == time_s)) {
-      evidence -= loss * (1 + evidence);
+      evidence -= LossAt(*seen, tracks.config(), x, y) * (1 + evidence);
       if (evidence <= 0) person = kNobody;
     }
   });

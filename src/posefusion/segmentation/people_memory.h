@@ -15,6 +15,13 @@ struct PersonCut {
   cv::Mat cells;        ///< CV_8UC1 of the cells' size, 255 = the person
 };
 
+/// What keypoints of one frame say of its cells. Images are CV_8UC1 of the cells' size.
+struct KeypointCuts {
+  std::vector<PersonCut> cuts;
+  cv::Mat near_seeds;  ///< not 0: close enough to a seed for a cut to know what is not person
+  cv::Mat surfaces;    ///< not 0: on a large plane
+};
+
 /// Who each cut made from keypoints is: the person of `people` that it shares most with, or
 /// somebody new, whom `tracks` then knows. Empty cuts are nobody's. Sets owner and is_new.
 void RecognisePeople(const CellPeople& people, double time_s, PersonTracks& tracks,
@@ -25,8 +32,8 @@ void RecognisePeople(const CellPeople& people, double time_s, PersonTracks& trac
 /// (`carried`, people whom those keypoints do not show).
 ///
 /// Evidence is smoothed: a part of somebody known that one cut adds or leaves out changes nothing
-/// yet. Somebody new counts at once.
-void UpdatePeople(const std::vector<PersonCut>* seen, const std::vector<PersonCut>& carried,
+/// yet; what it leaves out far from all joints that were found changes hardly anything. Somebody new counts at once.
+void UpdatePeople(const KeypointCuts* seen, const std::vector<PersonCut>& carried,
                   const CellGrid& cells, double time_s, const PersonTracks& tracks,
                   CellPeople& people);
 

@@ -10,6 +10,7 @@ namespace posefusion {
 namespace {
 
 constexpr std::size_t kMinSeeds = 2;        ///< of one person
+constexpr float kSeedDepth = 0.05F;         ///< metres from the cell that shows a seed
 constexpr std::size_t kMaxCellSeeds = 150;  ///< points that stand for certain cells
 
 const HumanRemovalConfig& Checked(const HumanRemovalConfig& config) {
@@ -45,6 +46,8 @@ struct PersonCutter::Parts {
   Grid<std::uint8_t> background;     ///< cells on surfaces that are no person's
   CutProblem problem;
   cv::Mat cut;
+  cv::Mat seeded;                ///< cells of the cut that are connected with certain ones
+  std::vector<cv::Point> front;  ///< of the same, not looked around yet
   cv::Mat cell_mask;
   std::vector<cv::Mat> cuts;
   std::size_t current_cut = 0;
@@ -74,8 +77,51 @@ struct PersonCutter::Parts {
     }
   }
 
+  /// The cell that shows a seed is certainly person.
+  void FixSeed(const Seed& seed) {
+    const auto cell = CellOf(cells, seed.pixel);
+    if (!cell || !problem.region.contains(*cell)) return;
+    if (std::abs(cells.DepthAt(cell->x, cell->y) - seed.p_camera.z()) > kSeedDepth) return;
+    problem.states.at(cell->x - problem.region.x, cell->y - problem.region.y) = CellState::kPerson;
+  }
+
+  /// Drops parts of the cut that no certain cell is connected with.
+  void KeepSeededParts() {
+    if (!config.region.only_seeded_parts) return;
+    seeded.create(cut.size(), CV_8UC1);
+    seeded.setTo(0);
+    front.clear();
+    const cv::Rect inside({0, 0}, cut.size());
+    const auto depth_at = [&](const cv::Point& cell) {
+      return cells.DepthAt(problem.region.x + cell.x, problem.region.y + cell.y);
+    };
+    for (int y = 0; y < cut.rows; ++y) {
+      for (int x = 0; x < cut.cols; ++x) {
+        if (problem.states.at(x, y) != CellState::kPerson) continue;
+        seeded.at<std::uint8_t>(y, x) = 255;
+        front.emplace_back(x, y);
+      }
+    }
+    const auto gap_m = static_cast<float>(config.seeds.layer_gap_m);
+    for (std::size_t i = 0; i < front.size(); ++i) {
+      const cv::Point cell = front[i];
+      for (int y = cell.y - 1; y <= cell.y + 1; ++y) {
+        for (int x = cell.x - 1; x <= cell.x + 1; ++x) {
+          const cv::Point next(x, y);
+          if (!inside.contains(next) || seeded.at<std::uint8_t>(next) != 0) continue;
+          if (cut.at<std::uint8_t>(next) == 0) continue;
+          if (std::abs(depth_at(cell) - depth_at(next)) > gap_m) continue;
+          seeded.at<std::uint8_t>(next) = 255;
+          front.push_back(next);
+        }
+      }
+    }
+    seeded.copyTo(cut);
+  }
+
   void Solve() {
     min_cut->Solve(problem, cut);
+    KeepSeededParts();
     cv::Mat part = cell_mask(problem.region);
     cv::bitwise_or(part, cut, part);
     cut.copyTo(cuts[current_cut](problem.region));
@@ -96,7 +142,10 @@ struct PersonCutter::Parts {
     problem.radius_m = config.min_cut.radius_m;
     problem.source_weight = config.min_cut.source_weight;
     problem.seeds.clear();
-    for (const Seed& seed : kept.seeds) problem.seeds.push_back(seed.p_camera);
+    for (const Seed& seed : kept.seeds) {
+      problem.seeds.push_back(seed.p_camera);
+      FixSeed(seed);
+    }
     problem.unseen_parts = person.unseen_parts;
     return true;
   }
@@ -191,6 +240,7 @@ void PersonCutter::Refine(const RgbdFrame& frame, const cv::Mat& cell_mask, cv::
 void PersonCutter::CutCells(const RgbdFrame& frame, const CutRequest& request) {
   Parts& p = *parts_;
   p.cells.Build(frame.depth_m, frame.camera);
+  cv::resize(frame.rgb, p.problem.colours, p.cells.size(), 0, 0, cv::INTER_AREA);
   p.cell_mask.create(p.cells.size(), CV_8UC1);
   p.cell_mask.setTo(0);
   p.problem.gravity = request.gravity;

@@ -15,6 +15,9 @@ struct PersonHoldConfig {
   double max_hold_s = 2.0;       ///< somebody seen for long
   double gain = 0.35;  ///< keypoints that cover a cell move its evidence by this share towards 1
   double loss = 0.2;   ///< keypoints that do not cover it move it by this share towards -1
+  double far_loss = 0.05;     ///< the same farther than sure_radius_m from all seeds
+  double surface_loss = 0.4;  ///< the same on a large plane
+  double sure_radius_m = 0.35;
   double max_mask_age_s = 2.0;  ///< without any newer keypoints nobody is believed in for longer
   int min_cells = 4;            ///< somebody of fewer cells is forgotten
 };
@@ -27,6 +30,9 @@ void Describe(V& v, PersonHoldConfig& c) {
   v.Field("max_hold_s", c.max_hold_s, 0.0, 100.0);
   v.Field("gain", c.gain, 0.0, 1.0);
   v.Field("loss", c.loss, 0.0, 1.0);
+  v.Field("far_loss", c.far_loss, 0.0, 1.0);
+  v.Field("surface_loss", c.surface_loss, 0.0, 1.0);
+  v.Field("sure_radius_m", c.sure_radius_m, 0.0, 10.0);
   v.Field("max_mask_age_s", c.max_mask_age_s, 0.0, 1000.0);
   v.Field("min_cells", c.min_cells, 1, 10000);
 }
