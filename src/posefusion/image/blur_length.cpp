@@ -17,7 +17,7 @@ constexpr double kLongestPx = 60;   ///< more cannot be told: nothing fine is le
 // The loss of a length L against a sharp image is kLossScale * ln(1 + (L / kLossLengthPx)^2).
 // Lengths below the width of an edge in a sharp image, about 4 px after smoothing, lose little.
 // These numbers and the weights below are those of the best recall at 2 % false drops over
-// simulated runs of hrp_loop and hrp_falls (14 seeds, 0 to 5 people, evaluate_blur).
+// simulated runs of hrp_loop and hrp_falls (14 runs, 0 to 5 people, evaluate_blur).
 constexpr double kLossScale = 0.25;
 constexpr double kLossLengthPx = 3.8;
 
