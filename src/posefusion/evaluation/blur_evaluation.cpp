@@ -12,7 +12,7 @@
 #include <stdexcept>
 
 #include "posefusion/common/atomic_file.h"
-#include "posefusion/dataset/text_lines.h"
+#include "posefusion/common/text_lines.h"
 
 namespace posefusion {
 namespace {
