@@ -50,10 +50,10 @@ class Waiter:
             time.sleep(PERIOD_S)
         if self.started():
             print("frames: %d left out as blurred, %d processed, %d tracked, %d lost, %d dropped, "
-                  "%d refused" % (
+                  "%d evicted, %d refused" % (
                       self.blurred, self.status.frames_processed, self.status.frames_tracked,
                       self.status.frames_lost, self.status.frames_dropped,
-                      self.status.frames_refused), flush=True)
+                      self.status.frames_evicted, self.status.frames_refused), flush=True)
         return 0
 
 

@@ -131,6 +131,39 @@ sensor_msgs::ImagePtr ToDepthMessage(const cv::Mat& depth_m, const std_msgs::Hea
   return image;
 }
 
+sensor_msgs::ImagePtr ToStaticDepthMessage(const cv::Mat& depth_m, const cv::Mat& mask,
+                                           const std_msgs::Header& header) {
+  const auto image = ToDepthMessage(depth_m, header);
+  cv::Mat pixels(depth_m.rows, depth_m.cols, CV_32FC1, image->data.data());
+  pixels.setTo(std::numeric_limits<float>::quiet_NaN(), mask);
+  return image;
+}
+
+sensor_msgs::ImagePtr ToMaskMessage(const cv::Mat& mask, const std_msgs::Header& header) {
+  const auto image = MakeImage(mask, encodings::MONO8, header);
+  mask.copyTo(cv::Mat(mask.rows, mask.cols, CV_8UC1, image->data.data()));
+  return image;
+}
+
+sensor_msgs::ImagePtr EmptyMaskMessage(const sensor_msgs::Image& rgb) {
+  const auto image = boost::make_shared<sensor_msgs::Image>();
+  image->header = rgb.header;
+  image->encoding = encodings::MONO8;
+  const std::size_t num_pixels = static_cast<std::size_t>(rgb.width) * rgb.height;
+  if (rgb.data.size() < num_pixels) return image;
+  image->width = image->step = rgb.width;
+  image->height = rgb.height;
+  image->data.resize(num_pixels);
+  return image;
+}
+
+cv::Mat ToMask(const sensor_msgs::ImageConstPtr& mask, const std::string& topic) {
+  if (mask->encoding != encodings::MONO8) {
+    Refuse(topic, "mask encoding '" + mask->encoding + "' is not mono8");
+  }
+  return ShareImage(mask, CV_8UC1, topic);
+}
+
 sensor_msgs::CameraInfo ToCameraInfo(const CameraModel& camera, const std_msgs::Header& header) {
   sensor_msgs::CameraInfo info;
   info.header = header;

@@ -45,6 +45,20 @@ sensor_msgs::ImagePtr ToRgb8Message(const cv::Mat& rgb, const std_msgs::Header& 
 /// 32FC1 image in metres, NaN = none.
 sensor_msgs::ImagePtr ToDepthMessage(const cv::Mat& depth_m, const std_msgs::Header& header);
 
+/// The same with the people of the mask (CV_8UC1, not 0 = person) set to none.
+sensor_msgs::ImagePtr ToStaticDepthMessage(const cv::Mat& depth_m, const cv::Mat& mask,
+                                           const std_msgs::Header& header);
+
+/// mono8 image of a person mask (CV_8UC1, 255 = person).
+sensor_msgs::ImagePtr ToMaskMessage(const cv::Mat& mask, const std_msgs::Header& header);
+
+/// A person mask without anybody for a colour image; 0 x 0 when the image is torn.
+sensor_msgs::ImagePtr EmptyMaskMessage(const sensor_msgs::Image& rgb);
+
+/// CV_8UC1 person mask that shares the pixels of the message. @throws for other encodings than
+/// mono8 and torn images.
+cv::Mat ToMask(const sensor_msgs::ImageConstPtr& mask, const std::string& topic);
+
 /// Camera with its distortion; R is the identity and P the same camera without distortion.
 sensor_msgs::CameraInfo ToCameraInfo(const CameraModel& camera, const std_msgs::Header& header);
 

@@ -20,6 +20,13 @@ constexpr const char* kBlurScoreTopic = "blur_score";
 constexpr const char* kSkeletonsInTopic = "skeletons_in";
 constexpr const char* kSkeletonsTopic = "skeletons";
 
+// From HumanRemoval: frames without people. The info of a frame comes last.
+constexpr const char* kStaticDepthTopic = "static/depth";
+constexpr const char* kStaticMaskTopic = "static/mask";
+constexpr const char* kStaticInfoTopic = "static/info";
+constexpr const char* kOverlayTopic = "static/overlay";
+constexpr const char* kSkeletonMarkersTopic = "skeleton_markers";
+
 // From Mapping.
 constexpr const char* kHeadPoseTopic = "head_pose";
 constexpr const char* kOdometryTopic = "odometry";

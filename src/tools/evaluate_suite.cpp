@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--programs", arguments.programs,
-                 "folder of run_dataset, evaluate_trajectory and evaluate_map")
+                 "folder of run_dataset, evaluate_trajectory, evaluate_map and evaluate_blur")
       ->capture_default_str();
   try {
     app.parse(argc, argv);

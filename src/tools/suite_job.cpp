@@ -101,6 +101,10 @@ std::vector<Command> EvaluationCommands(const SuiteJob& job, const std::string& 
     commands.push_back(
         {programs.evaluate_map(), "--map", folder + "/map.ply", "--truth", truth, "--out", folder});
   }
+  if (fs::exists(truth + "/blur.txt")) {
+    commands.push_back({programs.evaluate_blur(), "--truth", truth, "--frames",
+                        folder + "/frames.txt", "--out", folder});
+  }
   return commands;
 }
 
@@ -137,7 +141,7 @@ bool RunPrograms(const SuiteJob& job, const std::string& folder, const SuiteProg
 
 SuitePrograms::SuitePrograms(const std::string& folder) {
   Hash hash;
-  for (const char* name : {"run_dataset", "evaluate_trajectory", "evaluate_map"}) {
+  for (const char* name : {"run_dataset", "evaluate_trajectory", "evaluate_map", "evaluate_blur"}) {
     paths_.push_back((fs::path(folder) / name).string());
     if (access(paths_.back().c_str(), X_OK) != 0) {
       throw std::runtime_error(paths_.back() + ": there is no such program");

@@ -15,11 +15,11 @@ constexpr double kMinFoundShare = 0.9;
 constexpr int kBlurEvery = 8;  ///< frames; a blurred one now and then
 
 TEST(RecordedBlur, FewFramesOfASteadyCameraAreDropped) {
-  for (const char* name : {"fr1_xyz", "ist_corridor"}) {
+  for (const char* name : {"fr1_xyz", "fr1_xyz_people", "ist_corridor"}) {
     SKIP_WITHOUT_DATA(name);
     TumFolderSource source(DataPath(name));
     BlurFilter filter{BlurFilterConfig()};
-    while (const auto frame = source.Next()) filter.Judge(frame->rgb);
+    while (const auto frame = source.Next()) filter.Judge(frame->rgb, frame->stamp_ns);
     EXPECT_LE(filter.counts().dropped, kMaxDroppedShare * filter.counts().seen) << name;
   }
 }
@@ -33,12 +33,12 @@ TEST(RecordedBlur, AddedMotionBlurIsFound) {
     int num_found = 0;
     for (int i = 0; const auto frame = source.Next(); ++i) {
       if (i % kBlurEvery != kBlurEvery - 1) {
-        filter.Judge(frame->rgb);
+        filter.Judge(frame->rgb, frame->stamp_ns);
         continue;
       }
       const int length_px = 8 + 4 * (num_blurred % 5);
       const cv::Mat blurred = MotionBlurred(frame->rgb, length_px, 0.4 * num_blurred);
-      num_found += filter.Judge(WithNoise(blurred, noise, i)).keep ? 0 : 1;
+      num_found += filter.Judge(WithNoise(blurred, noise, i), frame->stamp_ns).keep ? 0 : 1;
       ++num_blurred;
     }
     EXPECT_GE(num_found, kMinFoundShare * num_blurred) << "noise " << noise;

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <stdexcept>
+#include <string>
 
-#include "posefusion/common/stage_clock.h"
+#include "posefusion/image/sharpness.h"
 #include "test/image/synthetic_images.h"
 
 namespace posefusion {
@@ -13,13 +15,16 @@ namespace {
 constexpr double kSensorNoise = 2;  ///< grey levels, of a structured-light camera indoors
 constexpr double kAngles[] = {0, 0.4, 0.8, 1.2, 1.6, 2.4};
 
-/// A filter and the numbering of frames that gives each its own noise.
+constexpr StampNs kPeriodNs = 33'333'333;
+
+/// A filter and the numbering of frames that gives each its stamp and its own noise.
 class Sequence {
  public:
   explicit Sequence(const BlurFilterConfig& config = {}) : filter_(config) {}
 
   BlurDecision Show(const cv::Mat& image) {
-    return filter_.Judge(WithNoise(image, kSensorNoise, ++num_shown_));
+    ++num_shown_;
+    return filter_.Judge(WithNoise(image, kSensorNoise, num_shown_), num_shown_ * kPeriodNs);
   }
 
   /// Number of frames kept of `count` showings.
@@ -36,7 +41,26 @@ class Sequence {
   int num_shown_ = 0;
 };
 
-TEST(BlurFilter, FindsMotionBlurInEveryDirection) {
+/// Frames of a camera that turns over a room: moved on by step_px per frame, blurred by length_px.
+class Pan {
+ public:
+  explicit Pan(int contrast = 50) {
+    cv::hconcat(RoomImage(1, contrast), RoomImage(2, contrast), room_);
+    cv::hconcat(room_, room_, room_);
+  }
+
+  cv::Mat Next(int step_px, int length_px) {
+    position_px_ = (position_px_ + step_px) % (room_.cols - 640);
+    const cv::Mat view = room_(cv::Rect(position_px_, 0, 640, 480));
+    return length_px > 1 ? MotionBlurred(view, length_px, 0) : view.clone();
+  }
+
+ private:
+  cv::Mat room_;
+  int position_px_ = 0;
+};
+
+TEST(BlurFilter, FindsSuddenBlurInEveryDirection) {
   for (const int length_px : {8, 12, 20, 40}) {
     for (const double angle_rad : kAngles) {
       Sequence sequence;
@@ -45,9 +69,61 @@ TEST(BlurFilter, FindsMotionBlurInEveryDirection) {
           sequence.Show(MotionBlurred(RoomImage(1), length_px, angle_rad));
       EXPECT_FALSE(decision.keep) << length_px << " px at " << angle_rad;
       EXPECT_EQ(decision.reason, BlurReason::kBlurred);
-      EXPECT_LT(decision.score, decision.threshold);
+      EXPECT_GT(decision.score, decision.threshold);
       EXPECT_TRUE(sequence.Show(RoomImage(1)).keep);
     }
+  }
+}
+
+TEST(BlurFilter, ScoreIsTheLengthOfLastingMotion) {
+  constexpr double kPxPerExposure = 0.36;  // 12 ms of 33 ms
+  for (const int step_px : {14, 22, 33}) {
+    Sequence sequence;
+    Pan pan;
+    for (int i = 0; i < 5; ++i) sequence.Show(pan.Next(0, 1));
+    const double length_px = kPxPerExposure * step_px;
+    for (int i = 0; i < 20; ++i) {
+      const BlurDecision decision = sequence.Show(pan.Next(step_px, cvRound(length_px)));
+      EXPECT_FALSE(decision.keep) << step_px << ", frame " << i;
+      EXPECT_NEAR(decision.score, length_px, 0.5 * length_px);
+    }
+  }
+}
+
+TEST(BlurFilter, KeepsSlowMotionAndOtherScenes) {
+  Sequence sequence;
+  Pan pan;
+  Pan dim_pan(30);
+  for (int round = 0; round < 3; ++round) {
+    for (int i = 0; i < 20; ++i) EXPECT_TRUE(sequence.Show(pan.Next(6, 2)).keep) << i;
+    for (int i = 0; i < 2; ++i) sequence.Show(dim_pan.Next(6, 2));  // no camera makes such a cut
+    for (int i = 0; i < 20; ++i) EXPECT_TRUE(sequence.Show(dim_pan.Next(6, 2)).keep) << i;
+    for (int i = 0; i < 2; ++i) sequence.Show(pan.Next(6, 2));
+  }
+}
+
+TEST(BlurFilter, SomebodyWhoCrossesTheViewIsNotBlur) {
+  Sequence sequence;
+  const cv::Mat room = RoomImage(1);
+  const cv::Mat person = RoomImage(2)(cv::Rect(100, 0, 200, 480));
+  for (int x = 0; x < 440; x += 22) {
+    cv::Mat view = room.clone();
+    person.copyTo(view(cv::Rect(x, 0, 200, 480)));
+    EXPECT_TRUE(sequence.Show(view).keep) << x;
+  }
+}
+
+TEST(BlurFilter, LastingMotionWithEnoughDetailIsKept) {
+  BlurFilterConfig config;
+  for (const double enough_detail : {1.0, 1000.0}) {
+    config.enough_detail = enough_detail;
+    Sequence sequence(config);
+    Pan pan;
+    for (int i = 0; i < 10; ++i) sequence.Show(pan.Next(14 + i, 5));
+    const BlurDecision decision = sequence.Show(pan.Next(26, 6));
+    EXPECT_GT(decision.score, decision.threshold);
+    EXPECT_EQ(decision.keep, enough_detail == 1.0);
+    EXPECT_EQ(decision.reason, decision.keep ? BlurReason::kDetailed : BlurReason::kBlurred);
   }
 }
 
@@ -59,18 +135,27 @@ TEST(BlurFilter, KeepsWhatIsSlightlyOutOfFocus) {
   EXPECT_TRUE(sequence.Show(soft).keep);
 }
 
-TEST(BlurFilter, DropsAtMostFiveInARow) {
+TEST(BlurFilter, DropsAFallAsAWholeButNotForEver) {
   Sequence sequence;
-  sequence.NumKept(RoomImage(1), 30);
-  const cv::Mat blurred = MotionBlurred(RoomImage(1), 16, 0.5);
-  for (int round = 0; round < 3; ++round) {
-    EXPECT_EQ(sequence.NumKept(blurred, 5), 0);
-    const BlurDecision decision = sequence.Show(blurred);
+  Pan pan;
+  for (int i = 0; i < 30; ++i) EXPECT_TRUE(sequence.Show(pan.Next(0, 1)).keep);
+  for (int round = 0; round < 2; ++round) {
+    for (int i = 0; i < 30; ++i) EXPECT_FALSE(sequence.Show(pan.Next(28, 10)).keep) << i;
+    const BlurDecision decision = sequence.Show(pan.Next(28, 10));
     EXPECT_TRUE(decision.keep);
     EXPECT_EQ(decision.reason, BlurReason::kDropLimit);
   }
-  EXPECT_EQ(sequence.counts().seen, 48);
-  EXPECT_EQ(sequence.counts().dropped, 15);
+  EXPECT_EQ(sequence.counts().seen, 92);
+  EXPECT_EQ(sequence.counts().dropped, 60);
+}
+
+TEST(BlurFilter, SharpFramesAfterALongFallAreKeptAtOnce) {
+  Sequence sequence;
+  Pan pan;
+  for (int i = 0; i < 60; ++i) sequence.Show(pan.Next(28, 10));
+  int num_kept = 0;
+  for (int i = 0; i < 30; ++i) num_kept += sequence.Show(pan.Next(0, 1)).keep ? 1 : 0;
+  EXPECT_GE(num_kept, 29);
 }
 
 TEST(BlurFilter, WallsAreNotBlurred) {
@@ -103,45 +188,34 @@ TEST(BlurFilter, LessLightIsNotBlur) {
   EXPECT_FALSE(sequence.Show(MotionBlurred(RoomImage(1, 100), 12, 0.5)).keep);
 }
 
-TEST(BlurFilter, RoomOfWeakerTextureIsAcceptedAfterThreeSeconds) {
-  for (const int seed : {2, 3, 4, 5}) {
-    Sequence sequence;
-    sequence.NumKept(RoomImage(1, 100), 60);
-    EXPECT_GE(sequence.NumKept(RoomImage(seed, 40), 100), 16);
-    EXPECT_EQ(sequence.NumKept(RoomImage(seed, 40), 60), 60) << seed;
-  }
-}
-
-TEST(BlurFilter, LongBlurredStretchIsForgottenWhenItEnds) {
-  Sequence sequence;
-  sequence.NumKept(RoomImage(1), 60);
-  const cv::Mat blurred = MotionBlurred(RoomImage(1), 16, 0.5);
-  EXPECT_EQ(sequence.NumKept(blurred, 60), 10) << "two seconds of a fall: the drop limit only";
-  sequence.NumKept(blurred, 300);
-  EXPECT_EQ(sequence.NumKept(RoomImage(1), 30), 30);
-  EXPECT_FALSE(sequence.Show(blurred).keep);
-}
-
-TEST(BlurFilter, SoftImagesForGoodAreAccepted) {
+TEST(BlurFilter, SoftImagesThatStandStillAreAcceptedSoon) {
   Sequence sequence;
   sequence.NumKept(RoomImage(1), 60);
   const cv::Mat soft = MotionBlurred(RoomImage(1), 16, 0.5);  // a lens out of focus, say
-  sequence.NumKept(soft, 100);
-  EXPECT_EQ(sequence.NumKept(soft, 60), 60);
+  EXPECT_GE(sequence.NumKept(soft, 30), 24);
+}
+
+TEST(BlurFilter, AGapInTimeIsNoMotion) {
+  BlurFilter filter{BlurFilterConfig()};
+  Pan pan;
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_TRUE(filter.Judge(pan.Next(60, 1), i * 1'000'000'000LL).keep) << i;
+  }
 }
 
 TEST(BlurFilter, AbsoluteModeComparesThePaperScore) {
   BlurFilterConfig config;
   config.mode = BlurMode::kAbsolute;
-  config.max_noise_grey_levels = 0;
-  config.threshold = 0.5 * VarianceOfLaplacian(RoomImage(1));
+  cv::Mat grey;
+  cv::cvtColor(RoomImage(1), grey, cv::COLOR_RGB2GRAY);
+  config.threshold = 0.5 * VarianceOfLaplacian(grey);
   BlurFilter filter(config);
-  const BlurDecision sharp = filter.Judge(RoomImage(1));
+  const BlurDecision sharp = filter.Judge(RoomImage(1), 0);
   EXPECT_TRUE(sharp.keep);
-  EXPECT_EQ(sharp.score, VarianceOfLaplacian(RoomImage(1)));
+  EXPECT_EQ(sharp.score, VarianceOfLaplacian(grey));
   EXPECT_EQ(sharp.threshold, config.threshold);
-  EXPECT_FALSE(filter.Judge(MotionBlurred(RoomImage(1), 16, 0.5)).keep);
-  EXPECT_TRUE(filter.Judge(WallImage()).keep);
+  EXPECT_FALSE(filter.Judge(MotionBlurred(RoomImage(1), 16, 0.5), 1).keep);
+  EXPECT_TRUE(filter.Judge(WallImage(), 2).keep);
 }
 
 TEST(BlurFilter, DisabledKeepsEverythingAndCounts) {
@@ -168,26 +242,24 @@ TEST(BlurFilter, SameFramesGiveTheSameDecisions) {
 }
 
 TEST(BlurFilter, CostsLittle) {
+  constexpr int kNumFrames = 50;
   BlurFilter filter{BlurFilterConfig()};
   const cv::Mat image = RoomImage(1);
-  StageClock clock;
-  for (int i = 0; i < 50; ++i) {
-    const auto scope = clock.Measure("blur");
-    filter.Judge(image);
-  }
-  std::vector<double> milliseconds;
-  for (const StageTime& time : clock.times()) milliseconds.push_back(time.milliseconds);
-  RecordProperty("median_ms", std::to_string(Quantile(milliseconds, 0.5)));
+  const std::clock_t start = std::clock();  // processor time: others may use the processor
+  for (int i = 0; i < kNumFrames; ++i) filter.Judge(image, i * kPeriodNs);
+  const double frame_ms =
+      1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / kNumFrames;
+  RecordProperty("frame_ms", std::to_string(frame_ms));
 #ifdef NDEBUG
-  EXPECT_LT(Quantile(milliseconds, 0.25), 2.0);  // a quartile: others may use the processor
+  EXPECT_LT(frame_ms, 5.0);  // 2.5 ms, with room for a shared cache
 #endif
 }
 
 TEST(BlurFilter, RefusesValuesOutOfRange) {
   BlurFilterConfig config;
-  config.relative_threshold = 1.5;
+  config.exposure_s = -1;
   EXPECT_THROW(BlurFilter{config}, std::invalid_argument);
-  EXPECT_THROW(BlurFilter{BlurFilterConfig()}.Judge(cv::Mat()), std::invalid_argument);
+  EXPECT_THROW(BlurFilter{BlurFilterConfig()}.Judge(cv::Mat(), 0), std::invalid_argument);
 }
 
 }  // namespace

@@ -130,7 +130,8 @@ TEST(Slam, RefusesFramesThatDoNotFit) {
   third = good;
   third.camera.fx += 1;
   EXPECT_THROW(slam.ProcessFrame(third), std::invalid_argument);
-  EXPECT_THROW(slam.ProcessFrame(good, cv::Mat(10, 10, CV_8UC1)), std::invalid_argument);
+  EXPECT_THROW(slam.ProcessFrame(good, PeopleInFrame{cv::Mat(10, 10, CV_8UC1), {}}),
+               std::invalid_argument);
   EXPECT_TRUE(slam.ProcessFrame(good).HasPose());  // nothing of it did harm
 }
 

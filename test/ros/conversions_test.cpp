@@ -9,7 +9,10 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <opencv2/core.hpp>
 #include <stdexcept>
+
+#include "posefusion_ros/shared_image.h"
 
 namespace posefusion {
 namespace {
@@ -158,6 +161,34 @@ TEST(Conversions, PoseAndCovarianceKeepTheirOrder) {
   EXPECT_NEAR(pose.pose.orientation.w, std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(pose.pose.orientation.z, std::sqrt(0.5), 1e-12);
   for (std::size_t i = 0; i < 36; ++i) EXPECT_EQ(pose.covariance[i], static_cast<double>(i));
+}
+
+TEST(Conversions, StaticDepthHasNoneWherePeopleAreAndComesBackExactly) {
+  const cv::Mat depth_m = (cv::Mat_<float>(2, 2) << 1.25F, 0, 2.5F, 3.1F);
+  const cv::Mat mask = (cv::Mat_<std::uint8_t>(2, 2) << 0, 0, 255, 0);
+  const auto message = ToStaticDepthMessage(depth_m, mask, {});
+  EXPECT_EQ(message->encoding, "32FC1");
+  EXPECT_TRUE(std::isnan(ShareImage(message, CV_32FC1, "").at<float>(1, 0)));
+  const cv::Mat expected = (cv::Mat_<float>(2, 2) << 1.25F, 0, 0, 3.1F);
+  EXPECT_EQ(cv::countNonZero(ToDepthM(message, "") != expected), 0);
+}
+
+TEST(Conversions, MasksComeBackExactlyAndOthersAreRefused) {
+  const cv::Mat mask = (cv::Mat_<std::uint8_t>(2, 3) << 0, 255, 0, 0, 0, 255);
+  const auto message = ToMaskMessage(mask, {});
+  EXPECT_EQ(message->encoding, "mono8");
+  EXPECT_EQ(cv::countNonZero(ToMask(message, "") != mask), 0);
+  message->encoding = "rgb8";
+  EXPECT_THROW(ToMask(message, "/static/mask"), std::invalid_argument);
+}
+
+TEST(Conversions, EmptyMaskOfATornImageTakesNoMemory) {
+  sensor_msgs::Image rgb;
+  rgb.width = rgb.height = 0xFFFFFFFF;
+  EXPECT_EQ(EmptyMaskMessage(rgb)->data.size(), 0U);
+  rgb.width = rgb.height = 2;
+  rgb.data.resize(12);
+  EXPECT_EQ(EmptyMaskMessage(rgb)->data, std::vector<std::uint8_t>(4, 0));
 }
 
 TEST(Conversions, CloudCarriesEveryField) {

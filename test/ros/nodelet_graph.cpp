@@ -31,9 +31,12 @@ bool NodeletGraph::Start() {
         status_ = *status;
       });
   loader_.emplace(false);
-  const nodelet::M_string remappings;
-  if (!loader_->load("/blur_filter", "posefusion/BlurFilter", remappings, {})) return false;
-  if (!loader_->load("/mapping", "posefusion/Mapping", remappings, {})) return false;
+  if (!Load("/blur_filter", "posefusion/BlurFilter")) return false;
+  if (!Load("/mapping", "posefusion/Mapping")) return false;
+  if (ros::param::param("/mapping/ros/human_removal", false)) {
+    if (!Load("/human_removal", "posefusion/HumanRemoval")) return false;
+    if (!Load("/skeleton_ingest", "posefusion/SkeletonIngest")) return false;
+  }
   while (ros::ok() && (rgb_.getNumSubscribers() == 0 || depth_.getNumSubscribers() == 0 ||
                        info_.getNumSubscribers() == 0)) {
     ros::WallDuration(kPollS).sleep();
@@ -41,12 +44,17 @@ bool NodeletGraph::Start() {
   return true;
 }
 
+bool NodeletGraph::Load(const std::string& name, const std::string& type) {
+  return loader_->load(name, type, nodelet::M_string(), {});
+}
+
 void NodeletGraph::Stop() {
   if (loader_) loader_->clear();
   loader_.reset();
   status_subscriber_.shutdown();
-  ros::param::del("/blur_filter");
-  ros::param::del("/mapping");
+  for (const char* name : {"/blur_filter", "/skeleton_ingest", "/human_removal", "/mapping"}) {
+    ros::param::del(name);
+  }
   status_ = {};
 }
 
@@ -87,7 +95,10 @@ bool NodeletGraph::WaitForProcessed(std::size_t frames) {
 }
 
 RgbdMessages SyntheticMessages(int index, StampNs start_ns) {
-  const RgbdFrame frame = SyntheticFrame(index, start_ns);
+  return MessagesOf(SyntheticFrame(index, start_ns));
+}
+
+RgbdMessages MessagesOf(const RgbdFrame& frame) {
   std_msgs::Header header;
   header.frame_id = "camera_rgb_optical_frame";
   header.stamp = ToRosTime(frame.depth_stamp_ns);

@@ -14,19 +14,20 @@
 
 namespace posefusion {
 
-/// BlurFilter and Mapping loaded into this process, with a camera in front of them. Needs a ROS
-/// master and a spinner.
+/// BlurFilter and Mapping loaded into this process, with a camera in front of them; SkeletonIngest
+/// and HumanRemoval too when /mapping/ros/human_removal is set. Needs a ROS master and a spinner.
 class NodeletGraph {
  public:
   NodeletGraph();
 
-  /// Parameters are set below /blur_filter or /mapping before Start.
+  /// Parameters are set below the nodelets' names (/blur_filter, /skeleton_ingest, /human_removal,
+  /// /mapping) before Start.
   template <class T>
   void SetParam(const std::string& name, const T& value) {
     ros::param::set(name, value);
   }
 
-  /// Loads both nodelets and waits until they have subscribed. False when one refuses.
+  /// Loads the nodelets and waits until they have subscribed. False when one refuses.
   bool Start();
 
   /// Unloads the nodelets, which lets Mapping save its results, and forgets their parameters.
@@ -44,6 +45,8 @@ class NodeletGraph {
   ~NodeletGraph() { Stop(); }
 
  private:
+  bool Load(const std::string& name, const std::string& type);
+
   ros::NodeHandle node_;
   ros::Publisher rgb_;
   ros::Publisher depth_;
@@ -53,6 +56,8 @@ class NodeletGraph {
   Status status_;
   std::optional<nodelet::Loader> loader_;
 };
+
+RgbdMessages MessagesOf(const RgbdFrame& frame);
 
 /// Messages of SyntheticFrame.
 RgbdMessages SyntheticMessages(int index, StampNs start_ns = kSyntheticStartNs);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "posefusion_ros/nodelets/blur_filter_config.h"
+#include "posefusion_ros/nodelets/human_removal_config.h"
 #include "posefusion_ros/nodelets/mapping_config.h"
 #include "posefusion_ros/nodelets/skeleton_ingest_config.h"
 #include "posefusion_ros/parameter_reader.h"
@@ -73,6 +74,14 @@ TEST(Parameters, ShippedBlurFilterFileHoldsEveryKeyWithItsDefault) {
   BlurFilterNodeletConfig config;
   ApplyYaml(node, "blur_filter", config);
   EXPECT_EQ(Text(config), Text(BlurFilterNodeletConfig()));
+  EXPECT_EQ(CountKeys(node), CountKeys(ToYaml(config)));
+}
+
+TEST(Parameters, ShippedHumanRemovalFileHoldsEveryKeyWithItsDefault) {
+  const YAML::Node node = LoadYamlFile(kConfigDir + "/human_removal.yaml");
+  HumanRemovalNodeletConfig config;
+  ApplyYaml(node, "human_removal", config);
+  EXPECT_EQ(Text(config), Text(HumanRemovalNodeletConfig()));
   EXPECT_EQ(CountKeys(node), CountKeys(ToYaml(config)));
 }
 

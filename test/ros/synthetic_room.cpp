@@ -3,12 +3,6 @@
 #include "test/support/rendered_source.h"
 
 namespace posefusion {
-namespace {
-
-constexpr StampNs kDepthLagNs = 10'000'000;
-
-}  // namespace
-
 RgbdFrame SyntheticFrame(int index, StampNs start_ns) {
   static const testing::RenderedRoom room = testing::RenderedRoom::Furnished();
   RgbdFrame frame = room.Render(testing::SmallCamera(), testing::SwayingPose(index),

@@ -92,19 +92,38 @@ TEST(Fusion, RemovesWhatFreeSpaceContradicts) {
   EXPECT_EQ(in_front(), 0);
 }
 
-TEST(Fusion, MaskedPixelsAreNeitherFusedNorFreeSpace) {
-  const RenderedRoom room = RenderedRoom::Wall(2);
-  const auto pose = LookAlong({0, 0, 0}, 0, 0);
+/// A mask of the whole image.
+cv::Mat Everything() {
   const CameraModel camera = testing::SmallCamera();
-  const cv::Mat everything(camera.height, camera.width, CV_8UC1, cv::Scalar::all(255));
+  return {camera.height, camera.width, CV_8UC1, cv::Scalar::all(255)};
+}
+
+TEST(Fusion, DoesNotFusePeople) {
   MapFixture fixture;
-  EXPECT_EQ(fixture.Fuse(room, pose, everything).created, 0);
-  fixture.Fuse(room, pose);
+  const auto pose = LookAlong({0, 0, 0}, 0, 0);
+  EXPECT_EQ(fixture.Fuse(RenderedRoom::Wall(2), pose, Everything()).created, 0);
+}
+
+TEST(Fusion, LeavesAloneWhatIsHiddenByPeople) {
+  MapFixture fixture;
+  const auto pose = LookAlong({0, 0, 0}, 0, 0);
+  fixture.Fuse(RenderedRoom::Wall(2), pose);
   const std::size_t before = fixture.map.NumSurfels();
-  const FusionCounts counts = fixture.Fuse(RenderedRoom::Wall(4), pose, everything);
+  const FusionCounts counts = fixture.Fuse(RenderedRoom::Wall(1.5), pose, Everything());
   EXPECT_EQ(counts.updated, 0);
   EXPECT_EQ(counts.removed, 0);
   EXPECT_EQ(fixture.map.NumSurfels(), before);
+}
+
+TEST(Fusion, RemovesWhatWasFusedOfPeople) {
+  for (const double person_m : {2.0, 2.5}) {  // where they are, and nearer: the view is free
+    MapFixture fixture;
+    const auto pose = LookAlong({0, 0, 0}, 0, 0);
+    for (int i = 0; i < 15; ++i) fixture.Fuse(RenderedRoom::Wall(2), pose);
+    const double before = static_cast<double>(fixture.map.NumSurfels());
+    for (int i = 0; i < 10; ++i) fixture.Fuse(RenderedRoom::Wall(person_m), pose, Everything());
+    EXPECT_LT(static_cast<double>(fixture.map.NumSurfels()), 0.1 * before) << person_m;
+  }
 }
 
 TEST(Fusion, DeletesUnstableSurfelsThatNobodySeesAgain) {

@@ -44,6 +44,8 @@ class EvaluateSuiteTest : public ::testing::Test {
     fs::create_directories(folder_ / "programs");
     WriteProgram("run_dataset", kFakeRun);
     std::string evaluation = kFakeEvaluation;
+    WriteProgram("evaluate_blur", Replaced(Replaced(evaluation, "NAME", "blur_evaluation.json"),
+                                           "FIGURE", "recall"));
     WriteProgram("evaluate_map", Replaced(Replaced(evaluation, "NAME", "map_evaluation.json"),
                                           "FIGURE", "surface"));
     WriteProgram("evaluate_trajectory",

@@ -54,7 +54,7 @@ class Runner {
  private:
   bool IsBlurred(const RgbdFrame& frame) {
     const auto scope = clock_.Measure("blur");
-    return !blur_filter_.Judge(frame.rgb).keep;
+    return !blur_filter_.Judge(frame.rgb, frame.stamp_ns).keep;
   }
 
   PeopleInFrame FindPeople(const RgbdFrame& frame) {

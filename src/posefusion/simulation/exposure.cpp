@@ -95,6 +95,25 @@ cv::Mat MeasureMotion(const RayScene& scene, const PixelRays& rays, const View& 
   return motion;
 }
 
+double TrueBlurLength(const cv::Mat& motion_px, const cv::Mat& labels) {
+  std::vector<float> room;
+  std::vector<float> everything;
+  for (int i = 0; i < motion_px.rows; ++i) {
+    for (int j = 0; j < motion_px.cols; ++j) {
+      const float length = motion_px.at<float>(i, j);
+      everything.push_back(length);
+      if (labels.at<std::uint8_t>(i * kMotionStride, j * kMotionStride) < kLabelPerson) {
+        room.push_back(length);
+      }
+    }
+  }
+  std::vector<float>& counted = room.empty() ? everything : room;
+  if (counted.empty()) return 0;
+  const auto middle = counted.begin() + static_cast<std::ptrdiff_t>(counted.size() / 2);
+  std::nth_element(counted.begin(), middle, counted.end());
+  return static_cast<double>(*middle);
+}
+
 cv::Mat ViewsPerTile(const cv::Mat& motion_px, int max_views) {
   cv::Mat views((motion_px.rows + kPerTile - 1) / kPerTile,
                 (motion_px.cols + kPerTile - 1) / kPerTile, CV_32SC1);

@@ -1,11 +1,10 @@
 #include "posefusion/simulation/sensor.h"
 
-#include <opencv2/core.hpp>
-
 #include "posefusion/common/stamp.h"
 #include "posefusion/config/config.h"
 #include "posefusion/simulation/color_sensor.h"
 #include "posefusion/simulation/depth_sensor.h"
+#include "posefusion/simulation/exposure.h"
 #include "posefusion/simulation/hash_random.h"
 
 namespace posefusion {
@@ -51,7 +50,7 @@ SensorFrame Sensor::Capture(const HeadMotion& head, double color_time_s, double 
   result.true_depth_m = color.middle.depth_m;
   result.depth_labels = depth.labels;
   result.depth_true_depth_m = depth.depth_m;
-  result.blur_length_px = cv::mean(color.motion_px)[0];
+  result.blur_length_px = TrueBlurLength(color.motion_px, color.middle.labels);
   return result;
 }
 

@@ -55,7 +55,7 @@ class BlurFilterNodelet : public CheckedNodelet {
   bool IsSharp(const sensor_msgs::Image& message, const cv::Mat& rgb) {
     if (message.header.stamp < last_stamp_) filter_.emplace(config_.filter);  // a bag restarted
     last_stamp_ = message.header.stamp;
-    const BlurDecision decision = filter_->Judge(rgb);
+    const BlurDecision decision = filter_->Judge(rgb, ToStampNs(message.header.stamp));
     BlurScore score;
     score.header = message.header;
     score.score = decision.score;

@@ -24,9 +24,12 @@ struct MappingRosConfig {
   /// are remapped to a camera driver.
   bool input_is_paired = true;
   bool images_are_rectified =
-      false;            ///< by the driver, though camera_info has distortion: P is used
-  int queue_size = 2;   ///< frames that may wait for tracking; the oldest is dropped
-  int num_threads = 2;  ///< for tracking and fusion
+      false;  ///< by the driver, though camera_info has distortion: P is used
+  /// Frames are taken with what HumanRemoval publishes for them, not as they come.
+  bool human_removal = false;
+  double human_removal_hold_s = 2.0;  ///< so long frames wait for HumanRemoval at most
+  int queue_size = 2;                 ///< frames that may wait for tracking; the oldest is dropped
+  int num_threads = 2;                ///< for tracking and fusion
   double reset_after_jump_back_s = 0.5;  ///< stamps this far back mean that a bag was restarted
   bool publish_tf = true;                ///< map -> camera
   double path_period_s = 0.5;            ///< between messages on `path`
@@ -40,6 +43,8 @@ void Describe(V& v, MappingRosConfig& c) {
   v.Group("input", c.input);
   v.Field("input_is_paired", c.input_is_paired);
   v.Field("images_are_rectified", c.images_are_rectified);
+  v.Field("human_removal", c.human_removal);
+  v.Field("human_removal_hold_s", c.human_removal_hold_s, 0.1, 60.0);
   v.Field("queue_size", c.queue_size, 1, 1000);
   v.Field("num_threads", c.num_threads, 1, 64);
   v.Field("reset_after_jump_back_s", c.reset_after_jump_back_s, 0.0, 3600.0);

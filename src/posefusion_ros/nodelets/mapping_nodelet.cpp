@@ -3,10 +3,10 @@
 
 #include "posefusion_ros/conversions.h"
 #include "posefusion_ros/nodelets/checked_nodelet.h"
+#include "posefusion_ros/nodelets/mapping_input.h"
 #include "posefusion_ros/nodelets/mapping_publishers.h"
 #include "posefusion_ros/nodelets/mapping_status.h"
 #include "posefusion_ros/nodelets/mapping_worker.h"
-#include "posefusion_ros/nodelets/rgbd_subscriber.h"
 #include "posefusion_ros/parameter_reader.h"
 #include "posefusion_ros/result_saver.h"
 #include "posefusion_ros/topic_names.h"
@@ -24,16 +24,19 @@ class MappingNodelet : public CheckedNodelet {
     if (!output_dir_.empty()) {
       CheckOutputDir(output_dir_, getPrivateNodeHandle().resolveName("ros/output_dir"));
     }
-    const RgbdTopics topics{kSharpRgbTopic, kSharpDepthTopic, kSharpInfoTopic};
-    const RgbdTopics names{node.resolveName(topics.rgb), node.resolveName(topics.depth),
-                           node.resolveName(topics.info)};
+    const RgbdTopics topics{node.resolveName(kSharpRgbTopic), node.resolveName(kSharpDepthTopic),
+                            node.resolveName(kSharpInfoTopic)};
+    const StaticTopics static_topics{node.resolveName(kStaticDepthTopic),
+                                     node.resolveName(kStaticMaskTopic)};
     publishers_ = std::make_unique<MappingPublishers>(node, config);
     status_ = std::make_unique<MappingStatus>();
-    worker_ = std::make_unique<MappingWorker>(config, names, MakeCallbacks());
-    subscriber_ = std::make_unique<RgbdSubscriber>(
-        node, topics, config.ros.input, config.ros.input_is_paired,
-        [this](const RgbdMessages& frame) { worker_->Push(frame); });
-    NODELET_INFO_STREAM("waiting for " << names.rgb << ", " << names.depth << ", " << names.info);
+    worker_ = std::make_unique<MappingWorker>(config, topics, static_topics, MakeCallbacks());
+    input_ = std::make_unique<MappingInput>(
+        node, config.ros, [this](MappingMessages frame) { worker_->Push(std::move(frame)); },
+        input_counts_);
+    NODELET_INFO_STREAM("waiting for " << topics.rgb << ", " << topics.depth << ", " << topics.info
+                                       << (config.ros.human_removal ? " and " + static_topics.depth
+                                                                    : std::string()));
   }
 
   MappingWorker::Callbacks MakeCallbacks() {
@@ -41,11 +44,12 @@ class MappingNodelet : public CheckedNodelet {
     callbacks.frame = [this](const Slam& slam, const FrameResult& result,
                              const std_msgs::Header& rgb_header, const MappingCounts& counts) {
       publishers_->PublishFrame(slam, result, rgb_header);
-      publishers_->PublishStatus(status_->OfFrame(result, rgb_header, slam, counts));
+      publishers_->PublishStatus(status_->OfFrame(result, rgb_header, slam, WithInput(counts)));
     };
     callbacks.idle = [this](const Slam& slam, const MappingCounts& counts) {
       publishers_->PublishIdle(slam);
-      if (const auto status = status_->OfIdle(counts)) publishers_->PublishStatus(*status);
+      if (const auto status = status_->OfIdle(WithInput(counts)))
+        publishers_->PublishStatus(*status);
     };
     callbacks.reset = [this] { publishers_->Reset(); };
     callbacks.finish = [this](const Slam& slam) {
@@ -56,11 +60,18 @@ class MappingNodelet : public CheckedNodelet {
     return callbacks;
   }
 
+  MappingCounts WithInput(MappingCounts counts) const {
+    counts.held = input_counts_.held;
+    counts.evicted = input_counts_.evicted;
+    return counts;
+  }
+
+  MappingInputCounts input_counts_;
   std::string output_dir_;
   std::unique_ptr<MappingPublishers> publishers_;
   std::unique_ptr<MappingStatus> status_;
   std::unique_ptr<MappingWorker> worker_;
-  std::unique_ptr<RgbdSubscriber> subscriber_;  // last: stops feeding before the worker ends
+  std::unique_ptr<MappingInput> input_;  // last: stops feeding before the worker ends
 };
 
 }  // namespace posefusion

@@ -32,6 +32,7 @@ Status MappingStatus::OfFrame(const FrameResult& result, const std_msgs::Header&
     status_.stage_ms.push_back(time.milliseconds);
   }
   FillCounts(counts);
+  FillPeople(counts.human_info);
   last_s_ = SteadyNowS();
   return status_;
 }
@@ -53,7 +54,17 @@ void MappingStatus::FillCounts(const MappingCounts& counts) {
   status_.frames_refused = counts.refused;
   status_.frames_dropped = counts.dropped;
   status_.resets = counts.resets;
-  status_.queue_length = static_cast<std::uint32_t>(counts.queue_length);
+  status_.queue_length = static_cast<std::uint32_t>(counts.queue_length + counts.held);
+  status_.frames_evicted = counts.evicted;
+}
+
+void MappingStatus::FillPeople(const HumanInfoConstPtr& info) {
+  status_.human_removal = static_cast<std::uint8_t>(info && info->removal_enabled);
+  if (!info) return;
+  status_.people = info->num_people;
+  status_.mask_age_s = info->mask_age_s;
+  status_.keypoint_rate_hz = info->keypoint_rate_hz;
+  status_.keypoint_delay_s = info->keypoint_delay_s;
 }
 
 }  // namespace posefusion

@@ -22,6 +22,7 @@ class MappingStatus {
 
  private:
   void FillCounts(const MappingCounts& counts);
+  void FillPeople(const HumanInfoConstPtr& info);
 
   Status status_;
   double last_s_;

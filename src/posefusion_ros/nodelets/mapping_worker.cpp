@@ -15,11 +15,18 @@ std::size_t QueueCapacity(const MappingRosConfig& config) {
   return config.input.lossless ? 0 : static_cast<std::size_t>(config.queue_size);
 }
 
+/// HumanRemoval took people out of the frame.
+bool HasPeopleRemoved(const MappingMessages& messages) {
+  return messages.human_info && messages.human_info->removal_enabled;
+}
+
 }  // namespace
 
-MappingWorker::MappingWorker(const MappingConfig& config, RgbdTopics topics, Callbacks callbacks)
+MappingWorker::MappingWorker(const MappingConfig& config, RgbdTopics topics,
+                             StaticTopics static_topics, Callbacks callbacks)
     : config_(config.ros),
       topics_(std::move(topics)),
+      static_topics_(std::move(static_topics)),
       callbacks_(std::move(callbacks)),
       slam_(config.slam, config.ros.num_threads),
       trouble_(kLogPeriodS, callbacks_.log_error, callbacks_.log_info),
@@ -50,12 +57,27 @@ void MappingWorker::Guarded(const std::function<void()>& step) {
   }
 }
 
-bool MappingWorker::Work(const RgbdMessages& messages) {
-  const RgbdFrame frame = ToRgbdFrame(messages, config_.images_are_rectified, topics_);
+RgbdFrame MappingWorker::ToFrame(const MappingMessages& messages) const {
+  if (!HasPeopleRemoved(messages)) {
+    return ToRgbdFrame(messages.rgbd, config_.images_are_rectified, topics_);
+  }
+  return ToRgbdFrame({messages.rgbd.rgb, messages.static_depth, messages.rgbd.info},
+                     config_.images_are_rectified,
+                     {topics_.rgb, static_topics_.depth, topics_.info});
+}
+
+PeopleInFrame MappingWorker::ToPeople(const MappingMessages& messages) const {
+  if (!HasPeopleRemoved(messages)) return {};
+  return {ToMask(messages.mask, static_topics_.mask), ToDepthM(messages.rgbd.depth, topics_.depth)};
+}
+
+bool MappingWorker::Work(const MappingMessages& messages) {
+  const RgbdFrame frame = ToFrame(messages);
+  const PeopleInFrame people = ToPeople(messages);
   if (!IsInOrder(frame.stamp_ns)) return false;
   FrameResult result;
   try {
-    result = slam_.ProcessFrame(frame);
+    result = slam_.ProcessFrame(frame, people);
   } catch (const std::invalid_argument& error) {
     Refuse(topics_.rgb + ", " + topics_.depth + ", " + topics_.info + ": " + error.what());
     return false;
@@ -63,8 +85,9 @@ bool MappingWorker::Work(const RgbdMessages& messages) {
   last_stamp_ns_ = frame.stamp_ns;
   ++counts_.processed;
   if (result.HasPose()) ++counts_.tracked;
+  counts_.human_info = messages.human_info;
   trouble_.AllWell();
-  callbacks_.frame(slam_, result, messages.rgb->header, CurrentCounts());
+  callbacks_.frame(slam_, result, messages.rgbd.rgb->header, CurrentCounts());
   return true;
 }
 

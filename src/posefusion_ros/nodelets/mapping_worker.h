@@ -8,6 +8,7 @@
 #include "posefusion_ros/bounded_queue.h"
 #include "posefusion_ros/frame_assembler.h"
 #include "posefusion_ros/nodelets/mapping_config.h"
+#include "posefusion_ros/static_frame_buffer.h"
 #include "posefusion_ros/trouble_log.h"
 
 namespace posefusion {
@@ -20,6 +21,10 @@ struct MappingCounts {
   std::size_t dropped = 0;  ///< since the start
   std::size_t resets = 0;
   std::size_t queue_length = 0;
+  std::size_t held = 0;     ///< frames that wait for HumanRemoval
+  std::size_t evicted = 0;  ///< frames for which HumanRemoval gave nothing, since the start
+  /// What HumanRemoval said of the last frame; null when people are not removed.
+  HumanInfoConstPtr human_info;
   std::string trouble;  ///< why the last frame could not be used; empty when it could
 };
 
@@ -41,34 +46,38 @@ class MappingWorker {
     TroubleLog::Sink log_info;
   };
 
-  /// `topics` are the resolved names, for error messages.
+  /// `topics` and `static_topics` are the resolved names, for error messages.
   /// @throws std::invalid_argument naming the key for a value out of range.
-  MappingWorker(const MappingConfig& config, RgbdTopics topics, Callbacks callbacks);
+  MappingWorker(const MappingConfig& config, RgbdTopics topics, StaticTopics static_topics,
+                Callbacks callbacks);
 
   /// Stops after the frame in work; frames that wait are forgotten.
   ~MappingWorker();
 
   /// Thread-safe; returns at once.
-  void Push(RgbdMessages messages) { queue_.Push(std::move(messages)); }
+  void Push(MappingMessages messages) { queue_.Push(std::move(messages)); }
 
  private:
   void Run();
   /// Lets no exception through: it is counted and told instead.
   void Guarded(const std::function<void()>& step);
   /// False when the frame was not given to Slam.
-  bool Work(const RgbdMessages& messages);
+  bool Work(const MappingMessages& messages);
+  RgbdFrame ToFrame(const MappingMessages& messages) const;
+  PeopleInFrame ToPeople(const MappingMessages& messages) const;
   bool IsInOrder(StampNs stamp_ns);
   MappingCounts CurrentCounts() const;
   void Refuse(const std::string& text);
 
   const MappingRosConfig config_;
   const RgbdTopics topics_;
+  const StaticTopics static_topics_;
   const Callbacks callbacks_;
   Slam slam_;
   TroubleLog trouble_;
   MappingCounts counts_;
   StampNs last_stamp_ns_ = -1;
-  BoundedQueue<RgbdMessages> queue_;
+  BoundedQueue<MappingMessages> queue_;
   std::thread thread_;
 };
 

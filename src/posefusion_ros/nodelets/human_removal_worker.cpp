@@ -1,0 +1,112 @@
+#include "posefusion_ros/nodelets/human_removal_worker.h"
+
+#include <exception>
+#include <utility>
+
+#include "posefusion/skeleton/skeleton_checks.h"
+#include "posefusion_ros/conversions.h"
+
+namespace posefusion {
+namespace {
+
+using Clock = KeypointInbox::Clock;
+
+constexpr double kLogPeriodS = 5;
+constexpr std::chrono::milliseconds kPollPeriod(100);
+
+std::size_t QueueCapacity(const HumanRemovalRosConfig& config) {
+  return config.input.lossless ? 0 : static_cast<std::size_t>(config.queue_size);
+}
+
+Clock::duration Duration(double seconds) {
+  return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+}  // namespace
+
+HumanRemovalWorker::HumanRemovalWorker(const HumanRemovalNodeletConfig& config, RgbdTopics topics,
+                                       Callbacks callbacks)
+    : config_(config),
+      topics_(std::move(topics)),
+      callbacks_(std::move(callbacks)),
+      trouble_(kLogPeriodS, callbacks_.log_error, callbacks_.log_info),
+      queue_(QueueCapacity(config.ros)) {
+  if (config_.removal.enabled) remover_.emplace(config_.removal);
+  thread_ = std::thread([this] { Run(); });
+}
+
+HumanRemovalWorker::~HumanRemovalWorker() {
+  queue_.Close();
+  inbox_.Close();
+  thread_.join();
+}
+
+void HumanRemovalWorker::Push(RgbdMessages messages) {
+  const auto now = Clock::now();
+  inbox_.NoteFrame(ToStampNs(messages.rgb->header.stamp), now);
+  queue_.Push({std::move(messages), now});
+}
+
+void HumanRemovalWorker::PushKeypoints(Skeletons skeletons) {
+  if (remover_) inbox_.AddKeypoints(std::move(skeletons), Clock::now());
+}
+
+void HumanRemovalWorker::Run() {
+  while (!queue_.closed()) {
+    const auto item = queue_.PopFor(kPollPeriod);
+    if (item) Work(*item);
+  }
+}
+
+void HumanRemovalWorker::Work(const Item& item) {
+  RemovalResult result;
+  result.messages = item.messages;
+  RgbdFrame frame;
+  HumanCut cut;
+  try {
+    if (remover_) {
+      frame = ToRgbdFrame(item.messages, config_.ros.images_are_rectified, topics_);
+      RestartIfTimeWentBack(frame.stamp_ns);
+      cut = remover_->Process(frame, TakeKeypoints(frame, item));
+      result.frame = &frame;
+      result.cut = &cut;
+      result.remover = &*remover_;
+    }
+    trouble_.AllWell();
+  } catch (const std::exception& error) {
+    trouble_.Report(error.what(), SteadyNowS());
+  }
+  result.dropped = queue_.num_dropped();
+  callbacks_.frame(result);
+}
+
+void HumanRemovalWorker::RestartIfTimeWentBack(StampNs stamp_ns) {
+  if (!last_stamp_ns_ || stamp_ns > *last_stamp_ns_) {
+    last_stamp_ns_ = stamp_ns;
+    return;
+  }
+  const double back_s = SecondsBetween(stamp_ns, *last_stamp_ns_);
+  if (back_s < config_.ros.reset_after_jump_back_s) return;  // the remover refuses the frame
+  last_stamp_ns_ = stamp_ns;
+  callbacks_.log_info("time went back by " + std::to_string(back_s) +
+                      " s (a bag restarted?): people are looked for anew");
+  remover_->Reset();
+  inbox_.Restart(stamp_ns);
+}
+
+std::vector<Skeletons> HumanRemovalWorker::TakeKeypoints(const RgbdFrame& frame, const Item& item) {
+  std::vector<Skeletons> arrived = inbox_.Take(frame.stamp_ns, item.arrived + WaitTime());
+  for (Skeletons& skeletons : arrived) {
+    DropUnusable(skeletons.people, frame.camera.width, frame.camera.height);
+  }
+  return arrived;
+}
+
+/// How long a frame is held back for its keypoints, counted from when it came.
+Clock::duration HumanRemovalWorker::WaitTime() const {
+  if (config_.removal.policy == KeypointPolicy::kWait) return Duration(config_.removal.max_wait_s);
+  const auto grace = Duration(config_.ros.keypoint_grace_s);
+  return inbox_.AreTimely(grace, Clock::now()) ? grace : Clock::duration::zero();
+}
+
+}  // namespace posefusion

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "posefusion/segmentation/human_remover.h"
+#include "posefusion_ros/bounded_queue.h"
+#include "posefusion_ros/frame_assembler.h"
+#include "posefusion_ros/keypoint_inbox.h"
+#include "posefusion_ros/nodelets/human_removal_config.h"
+#include "posefusion_ros/trouble_log.h"
+
+namespace posefusion {
+
+/// What became of a frame.
+struct RemovalResult {
+  RgbdMessages messages;
+  /// Null when the frame passes as it came: removal is off, or the frame cannot be used.
+  const RgbdFrame* frame = nullptr;
+  const HumanCut* cut = nullptr;
+  const HumanRemover* remover = nullptr;
+  std::size_t dropped = 0;  ///< frames, since the start
+};
+
+/// Runs HumanRemover on its own thread behind a bounded queue. Every frame that was not dropped is
+/// handed on, in order, whatever happens to it.
+class HumanRemovalWorker {
+ public:
+  struct Callbacks {
+    std::function<void(const RemovalResult&)> frame;  ///< on the worker's thread
+    TroubleLog::Sink log_error;
+    TroubleLog::Sink log_info;
+  };
+
+  /// `topics` are the resolved names, for error messages.
+  /// @throws std::invalid_argument naming the key for a value out of range.
+  HumanRemovalWorker(const HumanRemovalNodeletConfig& config, RgbdTopics topics,
+                     Callbacks callbacks);
+
+  /// Stops after the frame in work; frames that wait are forgotten.
+  ~HumanRemovalWorker();
+
+  /// Both thread-safe; they return at once.
+  void Push(RgbdMessages messages);
+  void PushKeypoints(Skeletons skeletons);
+
+ private:
+  struct Item {
+    RgbdMessages messages;
+    KeypointInbox::Clock::time_point arrived;
+  };
+
+  void Run();
+  void Work(const Item& item);
+  void RestartIfTimeWentBack(StampNs stamp_ns);
+  std::vector<Skeletons> TakeKeypoints(const RgbdFrame& frame, const Item& item);
+  KeypointInbox::Clock::duration WaitTime() const;
+
+  const HumanRemovalNodeletConfig config_;
+  const RgbdTopics topics_;
+  const Callbacks callbacks_;
+  std::optional<HumanRemover> remover_;  ///< empty when removal is off
+  TroubleLog trouble_;
+  std::optional<StampNs> last_stamp_ns_;
+  KeypointInbox inbox_;
+  BoundedQueue<Item> queue_;
+  std::thread thread_;
+};
+
+}  // namespace posefusion

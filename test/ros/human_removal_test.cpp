@@ -1,0 +1,309 @@
+// All nodelets with people in the pictures.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <posefusion/HumanInfo.h>
+#include <ros/xmlrpc_manager.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <opencv2/core.hpp>
+
+#include "posefusion/common/atomic_file.h"
+#include "posefusion/common/stamp.h"
+#include "posefusion/dataset/trajectory_file.h"
+#include "posefusion/pipeline/offline_run.h"
+#include "posefusion/skeleton/skeleton_folder.h"
+#include "posefusion_ros/bag_source.h"
+#include "posefusion_ros/bag_writer.h"
+#include "posefusion_ros/conversions.h"
+#include "posefusion_ros/skeleton_conversions.h"
+#include "posefusion_ros/topic_names.h"
+#include "test/ros/nodelet_graph.h"
+#include "test/ros/person_scene.h"
+#include "test/ros/recorder.h"
+#include "test/skeleton/sample_skeletons.h"
+#include "test/support/temporary_folder.h"
+
+namespace posefusion {
+namespace {
+
+/// Long enough for a busy computer.
+constexpr double kPatientGraceS = 2;
+constexpr int kNumFrames = 30;
+
+using Masks = std::map<StampNs, cv::Mat>;
+
+/// A bag of somebody walking, with keypoint files for every frame.
+void WriteRun(const TemporaryFolder& folder) {
+  std::filesystem::create_directories(folder / "keypoints");
+  BagWriter writer(folder / "person.bag", "camera_rgb_optical_frame");
+  for (int i = 0; i < kNumFrames; ++i) {
+    const PersonFrame person = SyntheticPerson(i);
+    writer.Write(person.frame);
+    const std::string name = FormatStamp(person.frame.stamp_ns) + ".json";
+    posefusion::testing::WritePeople(folder / ("keypoints/" + name), person.skeletons.people);
+  }
+  writer.Close();
+}
+
+/// What run_dataset makes of it. Returns the trajectory file.
+std::string RunDirectly(const TemporaryFolder& folder, Masks& masks) {
+  BagSource source(folder / "person.bag");
+  SkeletonFolder skeletons(folder / "keypoints");
+  OfflineRunHooks hooks;
+  hooks.on_mask = [&](StampNs stamp_ns, const cv::Mat& mask) { masks[stamp_ns] = mask; };
+  const OfflineRun run = RunOffline(source, SystemConfig(), 1, hooks, &skeletons);
+  WriteTrajectory(run.trajectory, folder / "direct.txt");
+  return ReadWholeFile(folder / "direct.txt");
+}
+
+/// The same through the nodelets.
+std::string RunThroughGraph(const TemporaryFolder& folder, Masks& masks) {
+  NodeletGraph graph;
+  const Recorder<sensor_msgs::Image> recorder(kStaticMaskTopic);
+  graph.SetParam("/blur_filter/ros/input/lossless", true);
+  graph.SetParam("/blur_filter/ros/input/flush_after_s", 0.3);
+  graph.SetParam("/skeleton_ingest/lossless", true);
+  graph.SetParam("/skeleton_ingest/source", std::string("folder"));
+  graph.SetParam("/skeleton_ingest/folder", folder / "keypoints");
+  graph.SetParam("/human_removal/ros/input/lossless", true);
+  graph.SetParam("/human_removal/ros/keypoint_grace_s", kPatientGraceS);
+  graph.SetParam("/mapping/ros/human_removal", true);
+  graph.SetParam("/mapping/ros/input/lossless", true);
+  graph.SetParam("/mapping/ros/output_dir", folder / "out");
+  EXPECT_TRUE(graph.Start());
+  graph.PublishInBagOrder(folder / "person.bag");
+  EXPECT_TRUE(graph.WaitFor([](const Status& status) { return status.state == "no_data"; }));
+  const Status status = graph.status();
+  EXPECT_EQ(status.frames_dropped + status.frames_refused + status.frames_evicted, 0U);
+  EXPECT_EQ(status.people, 1);
+  EXPECT_EQ(status.mask_age_s, 0);
+  graph.Stop();
+  for (const auto& message : recorder.messages()) {
+    masks[ToStampNs(message->header.stamp)] = ToMask(message, kStaticMaskTopic);
+  }
+  return ReadWholeFile(folder / "out/trajectory.txt");
+}
+
+TEST(HumanRemoval, FedSlowlyGivesMasksAndTrajectoryOfRunDataset) {
+  const TemporaryFolder folder;
+  WriteRun(folder);
+  Masks direct_masks;
+  Masks masks;
+  const std::string direct = RunDirectly(folder, direct_masks);
+  EXPECT_EQ(RunThroughGraph(folder, masks), direct);
+  ASSERT_EQ(masks.size(), direct_masks.size());
+  EXPECT_GE(masks.size(), kNumFrames * 9U / 10);
+  for (const auto& [stamp_ns, mask] : direct_masks) {
+    ASSERT_EQ(masks.count(stamp_ns), 1U);
+    EXPECT_GT(cv::countNonZero(mask), 200) << "somebody is in every frame";
+    EXPECT_EQ(cv::countNonZero(mask != masks[stamp_ns]), 0) << FormatStamp(stamp_ns);
+  }
+}
+
+/// The nodelets without BlurFilter's doing, keypoints sent by the test.
+class HumanRemovalGraph : public ::testing::Test {
+ protected:
+  HumanRemovalGraph() : skeletons_(node_.advertise<SkeletonsMessage>(kSkeletonsTopic, 100)) {
+    graph_.SetParam("/blur_filter/enabled", false);
+    graph_.SetParam("/mapping/ros/human_removal", true);
+  }
+
+  void Start() {
+    ASSERT_TRUE(graph_.Start());
+    while (ros::ok() && skeletons_.getNumSubscribers() == 0) ros::WallDuration(0.005).sleep();
+  }
+
+  void PublishKeypoints(const PersonFrame& person) {
+    skeletons_.publish(MessageOf(person.skeletons));
+  }
+  static SkeletonsMessage MessageOf(const Skeletons& skeletons) {
+    std_msgs::Header header;
+    header.stamp = ToRosTime(skeletons.stamp_ns);
+    return ToSkeletonsMessage(skeletons, header);
+  }
+
+  /// Publishes the frame and waits until Mapping has worked on it.
+  HumanInfo Process(const PersonFrame& person) {
+    const std::size_t before = infos_.size();
+    graph_.Publish(Paired(person.frame));
+    EXPECT_TRUE(infos_.WaitForSize(before + 1));
+    EXPECT_TRUE(graph_.WaitFor([&](const Status& status) {
+      return status.header.stamp == ToRosTime(person.frame.stamp_ns);
+    })) << graph_.status().state
+        << graph_.status().detail;
+    return *infos_.messages().back();
+  }
+
+  static RgbdMessages Paired(RgbdFrame frame) {
+    frame.depth_stamp_ns = frame.stamp_ns;
+    return MessagesOf(frame);
+  }
+
+  ros::NodeHandle node_;
+  ros::Publisher skeletons_;
+  Recorder<HumanInfo> infos_{kStaticInfoTopic};
+  NodeletGraph graph_;
+};
+
+/// How this process gets the topic from its publisher.
+std::string TransportOf(const std::string& topic) {
+  XmlRpc::XmlRpcClient client("localhost", ros::XMLRPCManager::instance()->getServerPort());
+  XmlRpc::XmlRpcValue caller;
+  caller[0] = ros::this_node::getName();
+  XmlRpc::XmlRpcValue answer;  // code, text, links
+  EXPECT_TRUE(client.execute("getBusInfo", caller, answer));
+  XmlRpc::XmlRpcValue& links = answer[2];
+  std::string transports;
+  for (int i = 0; i < links.size(); ++i) {
+    const bool is_subscription = std::string(links[i][2]) == "i";
+    if (is_subscription && std::string(links[i][4]) == topic)
+      transports += std::string(links[i][3]);
+  }
+  return transports;
+}
+
+TEST_F(HumanRemovalGraph, ImagesReachMappingWithoutACopy) {
+  const Recorder<sensor_msgs::Image> depth(kStaticDepthTopic);
+  const Recorder<sensor_msgs::Image> depth_again(kStaticDepthTopic);
+  const Recorder<sensor_msgs::Image> mask(kStaticMaskTopic);
+  const Recorder<sensor_msgs::Image> mask_again(kStaticMaskTopic);
+  Start();
+  Process(SyntheticPerson(0));
+  ASSERT_TRUE(depth.WaitForSize(1) && depth_again.WaitForSize(1));
+  ASSERT_TRUE(mask.WaitForSize(1) && mask_again.WaitForSize(1));
+  EXPECT_EQ(depth.messages()[0].get(), depth_again.messages()[0].get());
+  EXPECT_EQ(mask.messages()[0].get(), mask_again.messages()[0].get());
+  // Pointers of a link within the process are the publisher's; others carry bytes.
+  EXPECT_EQ(TransportOf("/static/depth"), "INTRAPROCESS");
+  EXPECT_EQ(TransportOf("/static/mask"), "INTRAPROCESS");
+}
+
+TEST_F(HumanRemovalGraph, SwitchedOffPassesTheVeryMessages) {
+  graph_.SetParam("/human_removal/enabled", false);
+  const Recorder<sensor_msgs::Image> depth(kStaticDepthTopic);
+  const Recorder<sensor_msgs::Image> mask(kStaticMaskTopic);
+  Start();
+  const RgbdMessages sent = Paired(SyntheticPerson(0).frame);
+  graph_.Publish(sent);
+  ASSERT_TRUE(graph_.WaitForProcessed(1));
+  ASSERT_TRUE(depth.WaitForSize(1) && mask.WaitForSize(1) && infos_.WaitForSize(1));
+  EXPECT_EQ(depth.messages()[0].get(), sent.depth.get());
+  EXPECT_EQ(cv::countNonZero(ToMask(mask.messages()[0], "")), 0);
+  EXPECT_FALSE(infos_.messages()[0]->removal_enabled);
+  EXPECT_FALSE(graph_.status().human_removal);
+}
+
+TEST_F(HumanRemovalGraph, MissingAndLateKeypointsStopNobody) {
+  Start();
+  for (int i = 0; i < 5; ++i) {
+    const HumanInfo info = Process(SyntheticPerson(i));
+    EXPECT_TRUE(info.removal_enabled);
+    EXPECT_EQ(info.mask_age_s, -1);
+  }
+  PublishKeypoints(SyntheticPerson(3));
+  ros::WallDuration(0.2).sleep();
+  const HumanInfo late = Process(SyntheticPerson(6));
+  EXPECT_FALSE(late.has_own_keypoints);
+  EXPECT_NEAR(late.mask_age_s, 0.1, 1e-3);
+  EXPECT_EQ(late.num_people, 1) << "carried from the frame of the keypoints to this one";
+  EXPECT_GT(late.keypoint_rate_hz, 0);
+  PublishKeypoints(SyntheticPerson(7));
+  ros::WallDuration(0.2).sleep();
+  EXPECT_TRUE(Process(SyntheticPerson(7)).has_own_keypoints) << "they came before their frame";
+  EXPECT_EQ(graph_.status().frames_processed, 7U);
+  EXPECT_EQ(graph_.status().people, 1);
+}
+
+TEST_F(HumanRemovalGraph, BadSkeletonMessagesAreSurvived) {
+  Start();
+  Skeletons people = SyntheticPerson(0).skeletons;
+  SkeletonsMessage unknown_layout = MessageOf(people);
+  unknown_layout.layout = "mpii";
+  SkeletonsMessage too_short = MessageOf(people);
+  too_short.people[0].joints.resize(7);
+  SkeletonsMessage no_numbers = MessageOf(people);
+  for (auto& joint : no_numbers.people[0].joints) joint.u = std::nanf("");
+  SkeletonsMessage crowd = MessageOf(people);
+  crowd.people.resize(500, crowd.people[0]);
+  SkeletonsMessage other_clock = MessageOf(people);
+  other_clock.header.stamp = ros::Time(5);
+  int index = 0;
+  for (const auto& message : {unknown_layout, too_short, no_numbers, crowd, other_clock}) {
+    skeletons_.publish(message);
+    Process(SyntheticPerson(index++));
+  }
+  PublishKeypoints(SyntheticPerson(index));
+  ros::WallDuration(0.2).sleep();
+  const HumanInfo info = Process(SyntheticPerson(index));
+  EXPECT_TRUE(info.has_own_keypoints);
+  EXPECT_EQ(info.num_people, 1);
+}
+
+TEST_F(HumanRemovalGraph, StartsAnewWhenABagIsRestarted) {
+  Start();
+  for (const int round : {0, 1}) {
+    for (int i = 0; i < 3; ++i) {
+      PersonFrame person = SyntheticPerson(10 * (1 - round) + i,
+                                           round == 0 ? 2 * kSyntheticStartNs : kSyntheticStartNs);
+      PublishKeypoints(person);
+      ros::WallDuration(0.1).sleep();
+      const HumanInfo info = Process(person);
+      EXPECT_TRUE(info.has_own_keypoints) << round << " " << i;
+      EXPECT_EQ(info.num_people, 1) << round << " " << i;
+    }
+  }
+  EXPECT_EQ(graph_.status().resets, 1U);
+  EXPECT_EQ(graph_.status().frames_processed, 3U);
+}
+
+TEST_F(HumanRemovalGraph, UnusableImagesAreRefusedAndGoodOnesGoOn) {
+  Start();
+  Process(SyntheticPerson(0));
+  RgbdMessages bad = Paired(SyntheticPerson(1).frame);
+  auto depth = boost::make_shared<sensor_msgs::Image>(*bad.depth);
+  depth->encoding = "yuv422";
+  bad.depth = depth;
+  graph_.Publish(bad);
+  EXPECT_TRUE(graph_.WaitFor([](const Status& status) { return status.frames_refused == 1; }));
+  EXPECT_THAT(graph_.status().detail, ::testing::HasSubstr("/sharp/depth_registered/image_rect"));
+  EXPECT_TRUE(Process(SyntheticPerson(2)).removal_enabled);
+}
+
+TEST_F(HumanRemovalGraph, DrawsForThoseWhoListen) {
+  const Recorder<sensor_msgs::Image> overlay(kOverlayTopic);
+  const Recorder<visualization_msgs::MarkerArray> markers(kSkeletonMarkersTopic);
+  Start();
+  const PersonFrame person = SyntheticPerson(0);
+  PublishKeypoints(person);
+  ros::WallDuration(0.2).sleep();
+  Process(person);
+  ASSERT_TRUE(overlay.WaitForSize(1) && markers.WaitForSize(1));
+  EXPECT_EQ(overlay.messages()[0]->encoding, "rgb8");
+  EXPECT_EQ(markers.messages()[0]->markers.size(), 3U);
+  EXPECT_EQ(markers.messages()[0]->markers[1].header.stamp, ToRosTime(person.frame.stamp_ns));
+}
+
+TEST_F(HumanRemovalGraph, WrongParametersStopTheStart) {
+  graph_.SetParam("/human_removal/min_cut/radius_m", -1.0);
+  EXPECT_FALSE(graph_.Start());
+  graph_.Stop();
+  graph_.SetParam("/mapping/ros/human_removal", true);
+  graph_.SetParam("/human_removal/ros/no_such_key", 1);
+  EXPECT_FALSE(graph_.Start());
+}
+
+}  // namespace
+}  // namespace posefusion
+
+int main(int argc, char** argv) {
+  testing::InitGoogleMock(&argc, argv);
+  ros::init(argc, argv, "human_removal_test");
+  ros::NodeHandle keep_alive;
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  return RUN_ALL_TESTS();
+}
