@@ -33,6 +33,7 @@ TEST(PeopleDrawing, BonesJoinJointsThatWereFound) {
   const Marker& bones = array.markers[1];
   EXPECT_EQ(bones.type, Marker::LINE_LIST);
   EXPECT_EQ(bones.header.frame_id, "camera");
+  EXPECT_TRUE(bones.frame_locked) << "rviz must not wait for the pose of the frame";
   ASSERT_EQ(bones.points.size(), 2U) << "one bone, from neck to shoulder";
   EXPECT_EQ(bones.points[0].z, 1);
   EXPECT_EQ(bones.points[1].z, 2);

@@ -90,6 +90,30 @@ TEST_P(MinCutTest, KeepsCertainCells) {
   EXPECT_EQ(person.at<std::uint8_t>(118, 20), 255);
 }
 
+TEST_P(MinCutTest, EndsAtAnEdgeOfColour) {
+  if (GetParam() == MinCutBackend::kPcl) GTEST_SKIP() << "pcl knows no colours";
+  constexpr int kEdge = 90;
+  SyntheticScene scene;
+  CameraModel camera = scene.Render().camera;
+  cells_.Build(cv::Mat(camera.height, camera.width, CV_32FC1, cv::Scalar(1.5)), camera);
+  problem_ = CutProblem();
+  problem_.radius_m = MinCutConfig().radius_m;
+  problem_.source_weight = MinCutConfig().source_weight;
+  problem_.cells = &cells_;
+  problem_.region = cv::Rect({0, 0}, cells_.size());
+  problem_.states.Resize(cells_.width(), cells_.height());
+  problem_.states.Fill(CellState::kFree);
+  for (int y = 40; y < 80; ++y) {
+    problem_.states.at(80, y) = CellState::kPerson;
+    problem_.seeds.push_back(cells_.PointAt(80, y));
+  }
+  problem_.colours = cv::Mat(cells_.size(), CV_8UC3, cv::Scalar(40, 60, 80));
+  problem_.colours.colRange(kEdge, cells_.width()).setTo(cv::Scalar(180, 150, 120));
+  const cv::Mat person = Solve();
+  EXPECT_EQ(person.at<std::uint8_t>(60, kEdge - 1), 255);
+  EXPECT_EQ(person.at<std::uint8_t>(60, kEdge + 1), 0);
+}
+
 TEST_P(MinCutTest, FindsNobodyWithoutVertices) {
   Prepare(SyntheticScene(), 0.5);
   problem_.states.Fill(CellState::kOutside);

@@ -27,6 +27,7 @@ struct HumanRemover::State {
   void CutAt(std::size_t index, const Skeletons* skeletons, cv::Mat& mask);
   void CutSkeletons(PastFrame& entry, const Skeletons& skeletons, double time_s);
   void MarkSure(const PastFrame& entry);
+  void MarkNearSeeds(const CellGrid& cells, double radius_m, std::uint8_t value);
   void CutCarried(const PastFrame& entry, double time_s, bool by_keypoints);
   CellSeeds SeedsOf(const CellPeople& people, CellPerson person) const;
   void KeepCuts(std::vector<PersonCut>& cuts) const;
@@ -126,17 +127,23 @@ void HumanRemover::State::MarkSure(const PastFrame& entry) {
   const Grid<std::uint8_t>& surfaces = cutter.background_cells();
   const cv::Size size = entry.cells.size();
   seen.near_seeds.create(size, CV_8UC1);
-  seen.near_seeds.setTo(0);
+  seen.near_seeds.setTo(kFarFromSeeds);
   seen.surfaces.create(size, CV_8UC1);
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) seen.surfaces.at<std::uint8_t>(y, x) = surfaces.at(x, y);
   }
-  const double radius_at_1m = config.hold.sure_radius_m / entry.cells.size_at_1m();
+  MarkNearSeeds(entry.cells, config.hold.loss_radius_m, kNearSeeds);
+  MarkNearSeeds(entry.cells, config.hold.gain_radius_m, kAtSeeds);
+}
+
+void HumanRemover::State::MarkNearSeeds(const CellGrid& cells, double radius_m,
+                                        std::uint8_t value) {
+  const double radius_at_1m = radius_m / cells.size_at_1m();
   for (const PersonSeeds& person : seeds) {
     for (const Seed& seed : person.seeds) {
-      const cv::Point2f cell = seed.pixel / static_cast<float>(entry.cells.size_px());
+      const cv::Point2f cell = seed.pixel / static_cast<float>(cells.size_px());
       const auto radius = static_cast<int>(radius_at_1m / static_cast<double>(seed.p_camera.z()));
-      cv::circle(seen.near_seeds, cell, radius, 255, cv::FILLED);
+      cv::circle(seen.near_seeds, cell, radius, value, cv::FILLED);
     }
   }
 }
@@ -148,7 +155,8 @@ CellSeeds HumanRemover::State::SeedsOf(const CellPeople& people, CellPerson pers
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const CellPerson who = people.person.at(x, y);
-      if (who == person) cells.person.at<std::uint8_t>(y, x) = 255;
+      const bool is_sure = people.evidence.at(x, y) >= kFirstEvidence;
+      if (who == person && is_sure) cells.person.at<std::uint8_t>(y, x) = 255;
       if (who == kNobody) cells.background.at<std::uint8_t>(y, x) = 255;
     }
   }

@@ -21,7 +21,8 @@ class MinCutGrid : public MinCut {
  private:
   void AddVertices(const CutProblem& problem);
   float Penalty(float distance_m, float beyond_m, double radius_m) const;
-  int SmoothnessWeight(const Eigen::Vector3f& a, const Eigen::Vector3f& b, float colour_share) const;
+  int SmoothnessWeight(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
+                       float colour_share) const;
   float ColourShare(const CutProblem& problem, const cv::Point& a, const cv::Point& b) const;
 
   const MinCutConfig config_;

@@ -10,9 +10,7 @@ namespace {
 constexpr double kSharedOfCut = 0.25;
 /// ... or holds this much of them.
 constexpr double kSharedOfPerson = 0.5;
-/// Evidence for a cell that keypoints cover and of which nothing was known, and for one that only
-/// its neighbours speak for.
-constexpr float kFirstEvidence = 0.3F;
+/// Evidence for a cell that only its neighbours speak for.
 constexpr float kWeakEvidence = 0.1F;
 
 constexpr std::size_t kNumNumbers = 256;
@@ -41,10 +39,25 @@ CellPerson KnownPersonIn(const cv::Mat& cut, int cut_size, const CellPeople& peo
   return is_known ? static_cast<CellPerson>(number) : kNobody;
 }
 
+bool IsWeak(const CellPeople& people, int x, int y) {
+  return IsPerson(people.person.at(x, y)) && people.evidence.at(x, y) < kFirstEvidence;
+}
+
+bool IsCarried(const std::vector<PersonCut>& carried, CellPerson person) {
+  return std::any_of(carried.begin(), carried.end(),
+                     [&](const PersonCut& cut) { return cut.owner == person; });
+}
+
+/// Share of the way to 1 that evidence goes for a cell that a cut covers.
+float GainAt(const KeypointCuts& seen, const PersonHoldConfig& hold, int x, int y) {
+  const bool is_at_seed = seen.near_seeds.at<std::uint8_t>(y, x) == kAtSeeds;
+  return static_cast<float>(is_at_seed ? hold.gain : hold.far_gain);
+}
+
 /// Share of the way to -1 that evidence goes for a cell that the cuts leave out.
 float LossAt(const KeypointCuts& seen, const PersonHoldConfig& hold, int x, int y) {
   if (seen.surfaces.at<std::uint8_t>(y, x) != 0) return static_cast<float>(hold.surface_loss);
-  const bool is_near = seen.near_seeds.at<std::uint8_t>(y, x) != 0;
+  const bool is_near = seen.near_seeds.at<std::uint8_t>(y, x) != kFarFromSeeds;
   return static_cast<float>(is_near ? hold.loss : hold.far_loss);
 }
 
@@ -73,7 +86,6 @@ void RecognisePeople(const CellPeople& people, double time_s, PersonTracks& trac
 void UpdatePeople(const KeypointCuts* seen, const std::vector<PersonCut>& carried,
                   const CellGrid& cells, double time_s, const PersonTracks& tracks,
                   CellPeople& people) {
-  const auto gain = static_cast<float>(tracks.config().gain);
   ForEachCell(people, [&](int x, int y) {
     CellPerson& person = people.person.at(x, y);
     float& evidence = people.evidence.at(x, y);
@@ -82,13 +94,18 @@ void UpdatePeople(const KeypointCuts* seen, const std::vector<PersonCut>& carrie
       return;
     }
     const PersonCut* by_keypoints = seen != nullptr ? CutAt(seen->cuts, x, y) : nullptr;
+    if (IsWeak(people, x, y) && by_keypoints == nullptr && IsCarried(carried, person)) {
+      person = kUnknownCell;
+    }
     if (person == kUnknownCell) {
       const PersonCut* cut = by_keypoints != nullptr ? by_keypoints : CutAt(carried, x, y);
       person = cut != nullptr ? cut->owner : kNobody;
       evidence = by_keypoints != nullptr ? kFirstEvidence
                                          : (cut != nullptr ? kWeakEvidence : -kWeakEvidence);
     } else if (by_keypoints != nullptr) {
-      evidence = by_keypoints->is_new ? kFirstEvidence : evidence + gain * (1 - evidence);
+      evidence = by_keypoints->is_new
+                     ? kFirstEvidence
+                     : evidence + GainAt(*seen, tracks.config(), x, y) * (1 - evidence);
       if (evidence > 0) person = by_keypoints->owner;
     } else if (seen != nullptr && (person == kNobody || tracks.LastConfirmed(person) == time_s)) {
       evidence -= LossAt(*seen, tracks.config(), x, y) * (1 + evidence);

@@ -8,6 +8,9 @@
 
 namespace posefusion {
 
+/// Cells of somebody with less evidence are decided anew where no keypoints cover the person.
+constexpr float kFirstEvidence = 0.3F;
+
 /// Cells that a cut gave to one person.
 struct PersonCut {
   CellPerson owner = kNobody;
@@ -15,10 +18,16 @@ struct PersonCut {
   cv::Mat cells;        ///< CV_8UC1 of the cells' size, 255 = the person
 };
 
+/// Far from all seeds a cut knows little of who is person; near them it knows what is not person,
+/// at them also what is.
+constexpr std::uint8_t kFarFromSeeds = 0;
+constexpr std::uint8_t kNearSeeds = 1;
+constexpr std::uint8_t kAtSeeds = 2;
+
 /// What keypoints of one frame say of its cells. Images are CV_8UC1 of the cells' size.
 struct KeypointCuts {
   std::vector<PersonCut> cuts;
-  cv::Mat near_seeds;  ///< not 0: close enough to a seed for a cut to know what is not person
+  cv::Mat near_seeds;  ///< kFarFromSeeds, kNearSeeds or kAtSeeds
   cv::Mat surfaces;    ///< not 0: on a large plane
 };
 
@@ -32,7 +41,8 @@ void RecognisePeople(const CellPeople& people, double time_s, PersonTracks& trac
 /// (`carried`, people whom those keypoints do not show).
 ///
 /// Evidence is smoothed: a part of somebody known that one cut adds or leaves out changes nothing
-/// yet; what it leaves out far from all joints that were found changes hardly anything. Somebody new counts at once.
+/// yet; what it leaves out far from all joints that were found changes hardly anything. Somebody
+/// new counts at once.
 void UpdatePeople(const KeypointCuts* seen, const std::vector<PersonCut>& carried,
                   const CellGrid& cells, double time_s, const PersonTracks& tracks,
                   CellPeople& people);

@@ -87,7 +87,6 @@ struct PersonCutter::Parts {
 
   /// Drops parts of the cut that no certain cell is connected with.
   void KeepSeededParts() {
-    if (!config.region.only_seeded_parts) return;
     seeded.create(cut.size(), CV_8UC1);
     seeded.setTo(0);
     front.clear();

@@ -11,7 +11,6 @@ struct PersonRegionConfig {
   double margin_m = 0.4;        ///< the region reaches so far beyond the joints
   double missing_part_m = 0.5;  ///< and so much further where head, knees or ankles are missing
   double depth_before_m = 0.9;  ///< from the nearest seed towards the camera
-  bool only_seeded_parts = true;
   double depth_behind_m = 0.5;  ///< from the farthest seed away from the camera
 };
 
@@ -20,7 +19,6 @@ void Describe(V& v, PersonRegionConfig& c) {
   v.Field("margin_m", c.margin_m, 0.05, 3.0);
   v.Field("missing_part_m", c.missing_part_m, 0.0, 3.0);
   v.Field("depth_before_m", c.depth_before_m, 0.0, 5.0);
-  v.Field("only_seeded_parts", c.only_seeded_parts);
   v.Field("depth_behind_m", c.depth_behind_m, 0.0, 5.0);
 }
 

@@ -10,14 +10,19 @@ namespace posefusion {
 /// How long somebody is believed in whom newer keypoints do not show.
 struct PersonHoldConfig {
   double min_hold_s = 0.1;       ///< somebody seen for a shorter time than ...
-  double trusted_after_s = 0.5;  ///< ... this; from then on ...
+  double trusted_after_s = 0.3;  ///< ... this; from then on ...
   double hold_per_seen = 1.5;    ///< ... so many seconds for each second of being seen
   double max_hold_s = 2.0;       ///< somebody seen for long
-  double gain = 0.35;  ///< keypoints that cover a cell move its evidence by this share towards 1
-  double loss = 0.2;   ///< keypoints that do not cover it move it by this share towards -1
-  double far_loss = 0.05;     ///< the same farther than sure_radius_m from all seeds
-  double surface_loss = 0.4;  ///< the same on a large plane
-  double sure_radius_m = 0.35;
+  /// What a cut covers moves the evidence of its cells towards 1 by this share ...
+  double gain = 0.35;           ///< ... so close to a seed ...
+  double gain_radius_m = 0.15;  ///< ... in the image, at the seed's depth,
+  double far_gain = 0.2;        ///< ... and farther away.
+  /// What the cuts leave out moves the evidence of their people's cells towards -1 by this share
+  /// ...
+  double loss = 0.2;            ///< ... so close to a seed ...
+  double loss_radius_m = 0.35;  ///< ... in the image, at the seed's depth,
+  double far_loss = 0.05;       ///< ... farther away: its joints may have been missed,
+  double surface_loss = 0.4;    ///< ... and on a large plane.
   double max_mask_age_s = 2.0;  ///< without any newer keypoints nobody is believed in for longer
   int min_cells = 4;            ///< somebody of fewer cells is forgotten
 };
@@ -30,9 +35,11 @@ void Describe(V& v, PersonHoldConfig& c) {
   v.Field("max_hold_s", c.max_hold_s, 0.0, 100.0);
   v.Field("gain", c.gain, 0.0, 1.0);
   v.Field("loss", c.loss, 0.0, 1.0);
+  v.Field("far_gain", c.far_gain, 0.0, 1.0);
+  v.Field("gain_radius_m", c.gain_radius_m, 0.0, 10.0);
   v.Field("far_loss", c.far_loss, 0.0, 1.0);
   v.Field("surface_loss", c.surface_loss, 0.0, 1.0);
-  v.Field("sure_radius_m", c.sure_radius_m, 0.0, 10.0);
+  v.Field("loss_radius_m", c.loss_radius_m, 0.0, 10.0);
   v.Field("max_mask_age_s", c.max_mask_age_s, 0.0, 1000.0);
   v.Field("min_cells", c.min_cells, 1, 10000);
 }

@@ -95,22 +95,11 @@ cv::Mat MeasureMotion(const RayScene& scene, const PixelRays& rays, const View& 
   return motion;
 }
 
-double TrueBlurLength(const cv::Mat& motion_px, const cv::Mat& labels) {
-  std::vector<float> room;
-  std::vector<float> everything;
-  for (int i = 0; i < motion_px.rows; ++i) {
-    for (int j = 0; j < motion_px.cols; ++j) {
-      const float length = motion_px.at<float>(i, j);
-      everything.push_back(length);
-      if (labels.at<std::uint8_t>(i * kMotionStride, j * kMotionStride) < kLabelPerson) {
-        room.push_back(length);
-      }
-    }
-  }
-  std::vector<float>& counted = room.empty() ? everything : room;
-  if (counted.empty()) return 0;
-  const auto middle = counted.begin() + static_cast<std::ptrdiff_t>(counted.size() / 2);
-  std::nth_element(counted.begin(), middle, counted.end());
+double TrueBlurLength(const cv::Mat& motion_px) {
+  std::vector<float> lengths(motion_px.begin<float>(), motion_px.end<float>());
+  if (lengths.empty()) return 0;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
   return static_cast<double>(*middle);
 }
 

@@ -36,11 +36,9 @@ RowTime TimeOfRow(const Exposure& exposure, int row, int height);
 cv::Mat MeasureMotion(const RayScene& scene, const PixelRays& rays, const View& view,
                       const Exposure& exposure, const ExposurePoses& poses);
 
-/// How far the camera's own motion smears the image: the median of `motion_px` over what does not
-/// show a person, over everything when nothing else is in view. What people and pushed things do by
-/// themselves does not count, nor does the little that is close in front of the camera.
-/// `labels` are those of the view that `motion_px` was measured in.
-double TrueBlurLength(const cv::Mat& motion_px, const cv::Mat& labels);
+/// How far the image is smeared: the median of `motion_px` over all of it. That is the camera's own
+/// motion unless a person who moves fills more than half of the view.
+double TrueBlurLength(const cv::Mat& motion_px);
 
 /// Number of views for each tile: 1 where nothing moves by more than a pixel, else odd.
 cv::Mat ViewsPerTile(const cv::Mat& motion_px, int max_views);

@@ -50,7 +50,7 @@ SensorFrame Sensor::Capture(const HeadMotion& head, double color_time_s, double 
   result.true_depth_m = color.middle.depth_m;
   result.depth_labels = depth.labels;
   result.depth_true_depth_m = depth.depth_m;
-  result.blur_length_px = TrueBlurLength(color.motion_px, color.middle.labels);
+  result.blur_length_px = TrueBlurLength(color.motion_px);
   return result;
 }
 

@@ -14,7 +14,7 @@ struct SensorFrame {
   cv::Mat true_depth_m;        ///< exact, at the colour time
   cv::Mat depth_labels;        ///< CV_8UC1 at the depth time
   cv::Mat depth_true_depth_m;  ///< exact, at the depth time
-  double blur_length_px = 0;   ///< by the camera's own motion, see TrueBlurLength() in exposure.h
+  double blur_length_px = 0;   ///< see TrueBlurLength() in exposure.h
 };
 
 /// An Xtion PRO LIVE: takes noise-free views of a world and spoils them as the device does.

@@ -18,8 +18,8 @@ class TruthRecorder {
 
   /// Writes everything that is known besides images and keypoints into a folder that exists:
   /// rgb.txt, depth.txt, camera.yaml, blur.txt, joints/, the files of truth_files.h and of
-  /// robot_files.h. blur.txt: `stamp blur_px`, how far the camera's motion moves the image during
-  /// the exposure, as the median over what does not show a person (TrueBlurLength() in exposure.h).
+  /// robot_files.h. blur.txt: `stamp blur_px`, how far the image moves during the exposure, as the
+  /// median over all of it (TrueBlurLength() in exposure.h).
   /// @throws std::runtime_error naming a file that cannot be written.
   void Write(const Simulator& simulator, const std::string& folder) const;
 
