@@ -96,8 +96,8 @@ cv::Mat MeasureMotion(const RayScene& scene, const PixelRays& rays, const View& 
 }
 
 double TrueBlurLength(const cv::Mat& motion_px) {
+  if (motion_px.empty()) return 0;
   std::vector<float> lengths(motion_px.begin<float>(), motion_px.end<float>());
-  if (lengths.empty()) return 0;
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
   std::nth_element(lengths.begin(), middle, lengths.end());
   return static_cast<double>(*middle);
