@@ -17,10 +17,10 @@ struct BlurFilterConfig {
   bool enabled = true;
   BlurMode mode = BlurMode::kLength;
   double threshold = 100;      ///< absolute mode: scores below are blurred [grey levels^2]
-  double max_length_px = 3.5;  ///< length mode: longer blur is dropped
+  double max_length_px = 3.6;  ///< length mode: longer blur is dropped
   /// Length mode: an image with more fine detail left is kept all the same, unless it lost much of
   /// it at once: it is of use, and a camera that always moves fast has none better [grey levels^2].
-  double enough_detail = 38;
+  double enough_detail = 46;
   double exposure_s = 0.012;       ///< length mode: how long the colour camera's shutter is open
   int max_consecutive_drops = 30;  ///< then one frame is kept whatever its score
   double min_contrast = 100;       ///< below it an image has no texture to judge by [grey levels^2]
