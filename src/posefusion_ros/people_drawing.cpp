@@ -34,7 +34,7 @@ Marker MakeMarker(const std_msgs::Header& header, const char* name, std::size_t 
   marker.color.b = color[2];
   marker.color.a = 1;
   marker.lifetime = ros::Duration(kLifetimeS);
-  marker.frame_locked = 1;  // the camera's pose at that stamp is known only later
+  marker.frame_locked = 1;  // drawn where the camera's frame is now
   return marker;
 }
 
