@@ -1,10 +1,8 @@
 // Cuts people out of the frames of a folder that have keypoints, for tuning human_removal.yaml.
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -17,14 +15,12 @@
 #include "posefusion/segmentation/mask_overlay.h"
 #include "posefusion/segmentation/person_cutter.h"
 #include "posefusion/skeleton/openpose_json.h"
+#include "tools/tool_main.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 namespace pf = posefusion;
-
-constexpr int kExitFailure = 1;
-constexpr int kExitUsage = 2;
 
 struct Arguments {
   std::string folder;
@@ -108,17 +104,9 @@ int main(int argc, char** argv) {
   app.add_option("--backend", arguments.backend, "min-cut backend, instead of the configured one")
       ->check(CLI::IsMember({"grid", "pcl"}));
   app.add_flag("--overlays", arguments.overlays, "draw masks and seeds over the pictures");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kExitUsage;
-  }
-  if (arguments.keypoints.empty()) arguments.keypoints = arguments.folder + "/keypoints";
-  try {
+  return posefusion::RunTool(app, argc, argv, "cut_people", [&] {
+    if (arguments.keypoints.empty()) arguments.keypoints = arguments.folder + "/keypoints";
     Run(arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "cut_people: %s\n", error.what());
-    return kExitFailure;
-  }
-  return 0;
+    return 0;
+  });
 }

@@ -1,6 +1,4 @@
-#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <exception>
 #include <limits>
 #include <memory>
 #include <stdexcept>
@@ -12,11 +10,10 @@
 #include "posefusion_ros/bag_writer.h"
 #include "tools/interrupt.h"
 #include "tools/progress.h"
+#include "tools/tool_main.h"
 
 namespace {
 
-constexpr int kUsageError = 2;
-constexpr int kOtherError = 1;
 constexpr const char* kCameraFrame = "camera_rgb_optical_frame";
 
 /// Writes the keypoints of a frame, if there are any, to be played when they arrive.
@@ -68,17 +65,9 @@ int main(int argc, char** argv) {
   app.add_option("FILE.bag", bag, "the bag; replaced if it exists")->required();
   app.add_option("--keypoints", keypoints,
                  "folder of OpenPose's JSON files; written to /skeletons_in at their arrival");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kUsageError;
-  }
-  try {
+  return posefusion::RunTool(app, argc, argv, "dataset_to_bag", [&] {
     posefusion::CatchInterrupts();
     WriteBag(folder, keypoints, bag);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "dataset_to_bag: %s\n", error.what());
-    return kOtherError;
-  }
-  return posefusion::interrupted ? kOtherError : 0;
+    return posefusion::interrupted ? posefusion::kExitFailure : 0;
+  });
 }

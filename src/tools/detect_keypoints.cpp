@@ -1,8 +1,6 @@
 // Finds people in the colour images of a sequence: OpenPose JSON out, one file per image.
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <memory>
 #include <opencv2/imgcodecs.hpp>
@@ -21,14 +19,12 @@
 #include "posefusion/skeleton/stamp_rate_limit.h"
 #include "progress.h"
 #include "skeleton_picture.h"
+#include "tools/tool_main.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 namespace pf = posefusion;
-
-constexpr int kExitFailure = 1;
-constexpr int kExitUsage = 2;
 
 struct Arguments {
   std::string source;
@@ -156,7 +152,7 @@ int Run(const Arguments& arguments) {
   std::printf("%d images, people in %d; keypoints in %s\n", figures.images, figures.with_people,
               arguments.out.c_str());
   if (pf::interrupted) std::fprintf(stderr, "detect_keypoints: interrupted, the rest is missing\n");
-  return figures.bad == 0 && !pf::interrupted ? 0 : kExitFailure;
+  return figures.bad == 0 && !pf::interrupted ? 0 : pf::kExitFailure;
 }
 
 }  // namespace
@@ -165,15 +161,5 @@ int main(int argc, char** argv) {
   CLI::App app("Finds people in the colour images of a sequence and writes OpenPose JSON.");
   Arguments arguments;
   AddOptions(app, arguments);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kExitUsage;
-  }
-  try {
-    return Run(arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "detect_keypoints: %s\n", error.what());
-    return kExitFailure;
-  }
+  return posefusion::RunTool(app, argc, argv, "detect_keypoints", [&] { return Run(arguments); });
 }

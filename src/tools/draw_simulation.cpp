@@ -1,6 +1,5 @@
 // Pictures of a simulated run: what the sensor sees at some moments, and the rooms from above.
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -10,6 +9,7 @@
 #include "posefusion/simulation/renderer.h"
 #include "posefusion/simulation/sensor.h"
 #include "posefusion/simulation/simulator.h"
+#include "tools/tool_main.h"
 
 namespace posefusion {
 namespace {
@@ -152,19 +152,11 @@ int main(int argc, char** argv) {
   CLI::App app("Draws moments of a simulated run: what the sensor sees, and the rooms from above.");
   posefusion::Arguments arguments;
   posefusion::AddOptions(app, arguments);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  try {
+  return posefusion::RunTool(app, argc, argv, "draw_simulation", [&] {
     posefusion::Artist artist(arguments);
     const auto moments_s = artist.Moments();
     std::filesystem::create_directories(arguments.out);
     for (const double moment_s : moments_s) artist.Draw(moment_s);
-  } catch (const std::exception& error) {
-    std::cerr << "draw_simulation: " << error.what() << "\n";
-    return 1;
-  }
-  return 0;
+    return 0;
+  });
 }

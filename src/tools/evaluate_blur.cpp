@@ -1,17 +1,13 @@
 // Compares what the blur filter dropped of a simulated run with the true blur of its frames.
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <string>
 
 #include "posefusion/evaluation/blur_evaluation.h"
+#include "tools/tool_main.h"
 
 namespace {
-
-constexpr int kExitFailure = 1;
-constexpr int kExitUsage = 2;
 
 void Evaluate(const std::string& truth, const std::string& frames,
               const posefusion::BlurEvaluationConfig& config, const std::string& out) {
@@ -43,16 +39,8 @@ int main(int argc, char** argv) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   app.add_option("--out", out, "folder for blur_evaluation.json");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kExitUsage;
-  }
-  try {
+  return posefusion::RunTool(app, argc, argv, "evaluate_blur", [&] {
     Evaluate(truth, frames, config, out);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "evaluate_blur: %s\n", error.what());
-    return kExitFailure;
-  }
-  return 0;
+    return 0;
+  });
 }

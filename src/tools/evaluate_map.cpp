@@ -1,16 +1,12 @@
 // Compares the map of a simulated run with the true surfaces: errors, completeness, ghosts.
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <exception>
 #include <string>
 
 #include "posefusion/evaluation/map_report.h"
+#include "tools/tool_main.h"
 
 namespace {
-
-constexpr int kExitFailure = 1;
-constexpr int kExitUsage = 2;
 
 void Evaluate(const posefusion::MapEvaluationFiles& files,
               const posefusion::MapEvaluationConfig& config, const std::string& out) {
@@ -40,16 +36,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   app.add_option("--out", out, "folder for map_evaluation.json");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kExitUsage;
-  }
-  try {
+  return posefusion::RunTool(app, argc, argv, "evaluate_map", [&] {
     Evaluate(files, config, out);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "evaluate_map: %s\n", error.what());
-    return kExitFailure;
-  }
-  return 0;
+    return 0;
+  });
 }

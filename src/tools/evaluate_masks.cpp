@@ -1,16 +1,12 @@
 // Compares masks of people with the true ones: recall, precision, worst frames.
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <exception>
 #include <string>
 
 #include "posefusion/evaluation/mask_report.h"
+#include "tools/tool_main.h"
 
 namespace {
-
-constexpr int kExitFailure = 1;
-constexpr int kExitUsage = 2;
 
 void Evaluate(const posefusion::MaskEvaluationFiles& files,
               const posefusion::MaskEvaluationConfig& config, const std::string& out) {
@@ -44,16 +40,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   app.add_option("--out", out, "folder for mask_evaluation.json");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kExitUsage;
-  }
-  try {
+  return posefusion::RunTool(app, argc, argv, "evaluate_masks", [&] {
     Evaluate(files, config, out);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "evaluate_masks: %s\n", error.what());
-    return kExitFailure;
-  }
-  return 0;
+    return 0;
+  });
 }

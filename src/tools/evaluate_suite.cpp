@@ -1,9 +1,7 @@
 // Runs many sources with many presets and seeds, evaluates each run and gathers all figures.
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -13,13 +11,11 @@
 #include "suite_list.h"
 #include "suite_report.h"
 #include "suite_runner.h"
+#include "tools/tool_main.h"
 
 namespace {
 
 namespace pf = posefusion;
-
-constexpr int kExitFailure = 1;
-constexpr int kExitUsage = 2;
 
 struct Arguments {
   std::string list;
@@ -48,7 +44,7 @@ int ReportProblems(const std::vector<pf::JobOutcome>& outcomes) {
                  "evaluate_suite: interrupted; %d jobs are left, the same command goes on\n",
                  num_stopped);
   }
-  return num_failed + num_stopped > 0 ? kExitFailure : 0;
+  return num_failed + num_stopped > 0 ? pf::kExitFailure : 0;
 }
 
 int Run(Arguments arguments) {
@@ -90,15 +86,5 @@ int main(int argc, char** argv) {
   app.add_option("--programs", arguments.programs,
                  "folder of run_dataset, evaluate_trajectory, evaluate_map and evaluate_blur")
       ->capture_default_str();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& parse_error) {
-    return app.exit(parse_error) == 0 ? 0 : kExitUsage;
-  }
-  try {
-    return Run(arguments);
-  } catch (const std::exception& exception) {
-    std::fprintf(stderr, "evaluate_suite: %s\n", exception.what());
-    return kExitFailure;
-  }
+  return posefusion::RunTool(app, argc, argv, "evaluate_suite", [&] { return Run(arguments); });
 }

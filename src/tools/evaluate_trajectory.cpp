@@ -1,18 +1,14 @@
 // Compares an estimated camera trajectory with the ground truth: ATE, RPE over 1 s, coverage.
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <exception>
 #include <string>
 
 #include "posefusion/evaluation/evaluation_report.h"
 #include "posefusion/evaluation/plot_runner.h"
 #include "posefusion/evaluation/trajectory_evaluation.h"
+#include "tools/tool_main.h"
 
 namespace {
-
-constexpr int kExitFailure = 1;
-constexpr int kExitUsage = 2;
 
 void Evaluate(const posefusion::EvaluationFiles& files, const std::string& out) {
   const auto evaluation = posefusion::EvaluateFiles(files);
@@ -40,16 +36,8 @@ int main(int argc, char** argv) {
                  "frames that should have a pose: lines 'stamp [state]' (default: frames.txt or "
                  "report.json beside the estimate)");
   app.add_option("--out", out, "folder for evaluation.json, tables and plots");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kExitUsage;
-  }
-  try {
+  return posefusion::RunTool(app, argc, argv, "evaluate_trajectory", [&] {
     Evaluate(files, out);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "evaluate_trajectory: %s\n", error.what());
-    return kExitFailure;
-  }
-  return 0;
+    return 0;
+  });
 }

@@ -1,9 +1,7 @@
 // Runs the whole system over recorded frames: trajectory, map and report out.
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -23,13 +21,11 @@
 #include "presets.h"
 #include "progress.h"
 #include "run_output.h"
+#include "tools/tool_main.h"
 
 namespace {
 
 namespace pf = posefusion;
-
-constexpr int kExitFailure = 1;
-constexpr int kExitUsage = 2;
 
 struct Arguments {
   std::string source;
@@ -162,7 +158,7 @@ int Run(const Arguments& arguments) {
   PrintSummary(run, arguments.out);
   if (keypoints) PrintKeypoints(run, keypoints->counts());
   if (run.frames.empty()) throw std::runtime_error(arguments.source + ": no frame could be used");
-  return run.errors.empty() ? 0 : kExitFailure;
+  return run.errors.empty() ? 0 : pf::kExitFailure;
 }
 
 }  // namespace
@@ -198,15 +194,5 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--start", arguments.start_s, "leaves out so many seconds at the beginning")
       ->check(CLI::NonNegativeNumber);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kExitUsage;
-  }
-  try {
-    return Run(arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "run_dataset: %s\n", error.what());
-    return kExitFailure;
-  }
+  return posefusion::RunTool(app, argc, argv, "run_dataset", [&] { return Run(arguments); });
 }

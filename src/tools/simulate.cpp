@@ -1,6 +1,5 @@
 // Makes a data set: a camera on a humanoid or in a hand among people, with exact truth.
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -12,13 +11,11 @@
 #include "posefusion_ros/simulation_bag.h"
 #include "tools/interrupt.h"
 #include "tools/progress.h"
+#include "tools/tool_main.h"
 
 namespace {
 
 namespace pf = posefusion;
-
-constexpr int kOtherError = 1;
-constexpr int kUsageError = 2;
 
 struct Arguments {
   pf::SimulationConfig config;
@@ -81,29 +78,24 @@ bool Simulate(const Arguments& arguments) {
   return true;
 }
 
+int Run(Arguments& arguments) {
+  try {
+    arguments.config = pf::CheckedConfig(arguments.config);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "simulate: --%s\n", error.what());
+    return pf::kExitUsage;
+  }
+  pf::CatchInterrupts();
+  if (Simulate(arguments)) return 0;
+  std::fprintf(stderr, "simulate: interrupted; nothing has been written\n");
+  return pf::kExitFailure;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app("Simulates an RGB-D camera among people and writes what it sees, with exact truth.");
   Arguments arguments;
   AddOptions(app, arguments);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kUsageError;
-  }
-  try {
-    arguments.config = pf::CheckedConfig(arguments.config);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "simulate: --%s\n", error.what());
-    return kUsageError;
-  }
-  try {
-    pf::CatchInterrupts();
-    if (Simulate(arguments)) return 0;
-    std::fprintf(stderr, "simulate: interrupted; nothing has been written\n");
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "simulate: %s\n", error.what());
-  }
-  return kOtherError;
+  return posefusion::RunTool(app, argc, argv, "simulate", [&] { return Run(arguments); });
 }
