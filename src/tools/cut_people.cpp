@@ -4,13 +4,13 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <string>
 #include <vector>
 
 #include "posefusion/common/atomic_file.h"
 #include "posefusion/config/config.h"
+#include "posefusion/dataset/image_file.h"
 #include "posefusion/dataset/tum_folder_source.h"
 #include "posefusion/segmentation/mask_overlay.h"
 #include "posefusion/segmentation/person_cutter.h"
@@ -43,17 +43,11 @@ pf::HumanRemovalConfig LoadConfig(const Arguments& arguments) {
   return config;
 }
 
-void WriteImage(const cv::Mat& image, const std::string& path) {
-  std::vector<unsigned char> bytes;
-  cv::imencode(fs::path(path).extension().string(), image, bytes);
-  pf::WriteFileAtomically(path, std::string(bytes.begin(), bytes.end()));
-}
-
 void WriteOverlay(const pf::RgbdFrame& frame, const cv::Mat& mask, const pf::PersonCutter& cutter,
                   const std::string& path) {
   cv::Mat picture;
   cv::cvtColor(pf::DrawCut(frame.rgb, mask, cutter), picture, cv::COLOR_RGB2BGR);
-  WriteImage(picture, path);
+  pf::WriteImage(picture, path);
 }
 
 void PrintTimes(std::vector<double>& times_ms) {
@@ -84,7 +78,7 @@ void Run(const Arguments& arguments) {
     cutter.Cut(*frame, skeletons, mask);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
     times_ms.push_back(time.count());
-    WriteImage(mask, arguments.out + "/masks/" + name + ".png");
+    pf::WriteImage(mask, arguments.out + "/masks/" + name + ".png");
     if (!arguments.overlays) continue;
     WriteOverlay(*frame, mask, cutter, arguments.out + "/overlays/" + name + ".jpg");
   }

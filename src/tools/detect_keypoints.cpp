@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <string>
@@ -12,6 +11,7 @@
 #include "interrupt.h"
 #include "posefusion/common/atomic_file.h"
 #include "posefusion/config/config.h"
+#include "posefusion/dataset/image_file.h"
 #include "posefusion/dataset/prefetched_source.h"
 #include "posefusion/dataset/tum_folder_source.h"
 #include "posefusion/skeleton/openpose_json.h"
@@ -96,7 +96,7 @@ void WritePicture(const pf::RgbdFrame& frame, const std::vector<pf::Skeleton>& p
   cv::Mat picture;
   cv::cvtColor(frame.rgb, picture, cv::COLOR_RGB2BGR);
   pf::DrawSkeletons(people, picture);
-  if (!cv::imwrite(path, picture)) throw std::runtime_error(path + ": cannot be written");
+  pf::WriteImage(picture, path);
 }
 
 /// The next frame; one that cannot be read is left out and said so.

@@ -6,6 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "posefusion/dataset/image_file.h"
 #include "posefusion/simulation/renderer.h"
 #include "posefusion/simulation/sensor.h"
 #include "posefusion/simulation/simulator.h"
@@ -29,8 +30,7 @@ struct Arguments {
 void Write(const std::string& path, const cv::Mat& rgb) {
   cv::Mat bgr;
   cv::cvtColor(rgb, bgr, cv::COLOR_RGB2BGR);
-  if (!cv::imwrite(path, bgr, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality}))
-    throw std::runtime_error(path + ": cannot be written");
+  WriteImage(bgr, path, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality});
 }
 
 cv::Mat Colored(const cv::Mat& radiance) {

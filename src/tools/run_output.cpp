@@ -8,12 +8,12 @@
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 #include <vector>
 
 #include "posefusion/common/atomic_file.h"
 #include "posefusion/common/stage_clock.h"
+#include "posefusion/dataset/image_file.h"
 #include "posefusion/dataset/ply_file.h"
 #include "posefusion/dataset/trajectory_file.h"
 
@@ -123,8 +123,7 @@ MaskWriter::MaskWriter(std::string folder) : folder_(std::move(folder)) {
 }
 
 void MaskWriter::operator()(StampNs stamp_ns, const cv::Mat& mask) const {
-  const std::string path = folder_ + "/" + FormatStamp(stamp_ns) + ".png";
-  if (!cv::imwrite(path, mask)) throw std::runtime_error(path + ": cannot be written");
+  WriteImage(mask, folder_ + "/" + FormatStamp(stamp_ns) + ".png");
 }
 
 }  // namespace posefusion

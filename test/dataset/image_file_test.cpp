@@ -89,5 +89,14 @@ TEST(ImageFile, OtherContentsAreRefused) {
   ExpectRefused(folder / "grey.png", ReadDepthImage, "CV_8UC1, expected 16UC1");
 }
 
+TEST(ImageFile, WritesWhatItReads) {
+  const TemporaryFolder folder;
+  const cv::Mat depth = NoiseImage(CV_16UC1);
+  WriteImage(depth, folder / "depth.png");
+  EXPECT_EQ(cv::norm(ReadDepthImage(folder / "depth.png"), depth), 0);
+  EXPECT_THAT([&] { WriteImage(depth, folder / "nowhere/depth.png"); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("nowhere/depth.png")));
+}
+
 }  // namespace
 }  // namespace posefusion

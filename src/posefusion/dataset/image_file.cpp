@@ -1,5 +1,6 @@
 #include "posefusion/dataset/image_file.h"
 
+#include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
@@ -76,6 +77,15 @@ cv::Mat ReadDepthImage(const std::string& path) {
   if (depth.type() == CV_16UC1) return depth;
   throw std::runtime_error(path + ": depth of type " + cv::typeToString(depth.type()) +
                            ", expected 16UC1");
+}
+
+void WriteImage(const cv::Mat& image, const std::string& path, const std::vector<int>& parameters) {
+  std::vector<unsigned char> bytes;
+  const std::string ending = std::filesystem::path(path).extension().string();
+  if (!cv::imencode(ending, image, bytes, parameters)) {
+    throw std::runtime_error(path + ": cannot be encoded");
+  }
+  WriteFileAtomically(path, std::string(bytes.begin(), bytes.end()));
 }
 
 }  // namespace posefusion

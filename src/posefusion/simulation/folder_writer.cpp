@@ -1,12 +1,12 @@
 #include "posefusion/simulation/folder_writer.h"
 
 #include <filesystem>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <vector>
 
 #include "posefusion/common/atomic_file.h"
+#include "posefusion/dataset/image_file.h"
 #include "posefusion/simulation/truth_files.h"
 #include "posefusion/skeleton/openpose_json.h"
 
@@ -37,13 +37,6 @@ void CheckFolder(const std::string& folder, bool force) {
 std::string WithoutSlash(std::string path) {
   while (path.size() > 1 && path.back() == '/') path.pop_back();
   return path;
-}
-
-/// With OpenCV's fast default: noise hardly gets smaller with more effort.
-void WritePng(const cv::Mat& image, const std::string& path) {
-  std::vector<unsigned char> bytes;
-  if (!cv::imencode(".png", image, bytes)) Refuse(path, "cannot be encoded");
-  WriteFileAtomically(path, std::string(bytes.begin(), bytes.end()));
 }
 
 /// The name of the folder goes over to the finished one; an earlier run goes away after that.
@@ -89,9 +82,9 @@ void FolderWriter::Write(const SimulatedFrame& frame, const Simulator& simulator
 void FolderWriter::WriteImages(const SimulatedFrame& frame) const {
   cv::Mat bgr;
   cv::cvtColor(frame.frame.rgb, bgr, cv::COLOR_RGB2BGR);
-  WritePng(bgr, PathOf(RgbFileName(frame)));
-  WritePng(QuantizeDepth(frame.frame.depth_m), PathOf(DepthFileName(frame)));
-  WritePng(frame.labels, PathOf("labels/" + FormatStamp(frame.frame.stamp_ns) + ".png"));
+  WriteImage(bgr, PathOf(RgbFileName(frame)));
+  WriteImage(QuantizeDepth(frame.frame.depth_m), PathOf(DepthFileName(frame)));
+  WriteImage(frame.labels, PathOf("labels/" + FormatStamp(frame.frame.stamp_ns) + ".png"));
 }
 
 void FolderWriter::WriteKeypoints(const SimulatedFrame& frame, const Simulator& simulator) {
