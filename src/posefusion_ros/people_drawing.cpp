@@ -3,6 +3,7 @@
 #include <array>
 #include <opencv2/core.hpp>
 
+#include "posefusion/segmentation/mask_overlay.h"
 #include "posefusion/skeleton/joints.h"
 
 namespace posefusion {
@@ -14,7 +15,6 @@ constexpr double kBoneWidthM = 0.02;
 constexpr double kJointSizeM = 0.05;
 constexpr double kLifetimeS = 1;  // keypoints may stop coming
 const cv::Scalar kMaskColor(255, 60, 60);
-constexpr double kMaskShare = 0.5;
 
 constexpr std::array<std::array<float, 3>, 5> kPersonColors = {
     {{1, 0.8F, 0.2F}, {0.3F, 0.9F, 1}, {0.5F, 1, 0.4F}, {1, 0.5F, 0.9F}, {1, 0.55F, 0.35F}}};
@@ -60,10 +60,7 @@ std::array<const Seed*, kNumCocoJoints> JointsOf(const PersonSeeds& person) {
 
 cv::Mat DrawMask(const cv::Mat& rgb, const cv::Mat& mask) {
   cv::Mat drawn = rgb.clone();
-  cv::Mat tinted;
-  cv::addWeighted(rgb, 1 - kMaskShare, cv::Mat(rgb.size(), rgb.type(), kMaskColor), kMaskShare, 0,
-                  tinted);
-  tinted.copyTo(drawn, mask);
+  TintMask(rgb, mask, kMaskColor, drawn);
   return drawn;
 }
 

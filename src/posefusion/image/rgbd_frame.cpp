@@ -26,4 +26,10 @@ void CheckFrame(const RgbdFrame& frame, const std::string& source) {
   CheckSize(frame.depth_m, frame.camera, source + ": depth");
 }
 
+void CheckFollows(StampNs stamp_ns, const std::optional<StampNs>& last_ns) {
+  if (!last_ns || stamp_ns > *last_ns) return;
+  throw std::invalid_argument("stamp " + FormatStamp(stamp_ns) + " does not follow " +
+                              FormatStamp(*last_ns));
+}
+
 }  // namespace posefusion

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <opencv2/core/mat.hpp>
+#include <optional>
 
 #include "posefusion/common/stamp.h"
 #include "posefusion/image/camera_model.h"
@@ -20,5 +21,9 @@ struct RgbdFrame {
 /// @throws std::invalid_argument naming `source` when image types or sizes do not fit each other
 /// and the camera.
 void CheckFrame(const RgbdFrame& frame, const std::string& source);
+
+/// @throws std::invalid_argument naming both when `stamp_ns` is not after `last_ns`, if there is
+/// one.
+void CheckFollows(StampNs stamp_ns, const std::optional<StampNs>& last_ns);
 
 }  // namespace posefusion

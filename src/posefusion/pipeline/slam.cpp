@@ -83,10 +83,7 @@ void Slam::State::Check(const RgbdFrame& frame, const PeopleInFrame& people) con
   if (camera && *camera != frame.camera) {
     throw std::invalid_argument("the camera has changed; reset first");
   }
-  if (last_stamp_ns && frame.stamp_ns <= *last_stamp_ns) {
-    throw std::invalid_argument("stamp " + FormatStamp(frame.stamp_ns) + " does not follow " +
-                                FormatStamp(*last_stamp_ns));
-  }
+  CheckFollows(frame.stamp_ns, last_stamp_ns);
 }
 
 void Slam::State::Rectify(const RgbdFrame& frame, const PeopleInFrame& people) {

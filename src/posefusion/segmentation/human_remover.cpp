@@ -52,10 +52,7 @@ struct HumanRemover::State {
 
 void HumanRemover::State::Check(const RgbdFrame& frame) const {
   CheckFrame(frame, "frame " + FormatStamp(frame.stamp_ns));
-  if (last_stamp_ns && frame.stamp_ns <= *last_stamp_ns) {
-    throw std::invalid_argument("stamp " + FormatStamp(frame.stamp_ns) + " does not follow " +
-                                FormatStamp(*last_stamp_ns));
-  }
+  CheckFollows(frame.stamp_ns, last_stamp_ns);
 }
 
 void HumanRemover::State::Append(const RgbdFrame& frame) {

@@ -3,16 +3,9 @@
 #include <opencv2/imgproc.hpp>
 
 namespace posefusion {
-
 namespace {
 
 constexpr double kTint = 0.5;
-
-void Tint(const cv::Mat& rgb, const cv::Mat& mask, const cv::Scalar& colour, cv::Mat& picture) {
-  cv::Mat tinted;
-  cv::addWeighted(rgb, 1 - kTint, cv::Mat(rgb.size(), CV_8UC3, colour), kTint, 0, tinted);
-  tinted.copyTo(picture, mask);
-}
 
 cv::Mat SurfacesMask(const PersonCutter& cutter, const cv::Size& size) {
   const Grid<std::uint8_t>& cells = cutter.background_cells();
@@ -28,10 +21,16 @@ cv::Mat SurfacesMask(const PersonCutter& cutter, const cv::Size& size) {
 
 }  // namespace
 
+void TintMask(const cv::Mat& rgb, const cv::Mat& mask, const cv::Scalar& colour, cv::Mat& picture) {
+  cv::Mat tinted;
+  cv::addWeighted(rgb, 1 - kTint, cv::Mat(rgb.size(), CV_8UC3, colour), kTint, 0, tinted);
+  tinted.copyTo(picture, mask);
+}
+
 cv::Mat DrawCut(const cv::Mat& rgb, const cv::Mat& mask, const PersonCutter& cutter) {
   cv::Mat picture = rgb.clone();
-  Tint(rgb, SurfacesMask(cutter, rgb.size()), {0, 0, 255}, picture);
-  Tint(rgb, mask, {255, 0, 0}, picture);
+  TintMask(rgb, SurfacesMask(cutter, rgb.size()), {0, 0, 255}, picture);
+  TintMask(rgb, mask, {255, 0, 0}, picture);
   for (const PersonSeeds& person : cutter.people()) {
     for (std::size_t i = 0; i < person.seeds.size(); ++i) {
       const bool is_joint = static_cast<int>(i) < person.num_joints;
