@@ -1,13 +1,17 @@
-#include "posefusion/segmentation/motion_field.h"
+#include "posefusion/image/motion_field.h"
 
 #include <opencv2/imgproc.hpp>
 
 namespace posefusion {
 
-MotionField::MotionField()
+MotionField::MotionField(MotionDetail detail)
     : flow_(cv::DISOpticalFlow::create(cv::DISOpticalFlow::PRESET_ULTRAFAST)) {
   // Propagation goes through stripes of the image whose number depends on the number of threads.
   flow_->setUseSpatialPropagation(false);
+  if (detail == MotionDetail::kCoarse) return;
+  flow_->setFinestScale(1);
+  flow_->setPatchStride(3);
+  flow_->setGradientDescentIterations(16);
 }
 
 void MotionField::Estimate(const cv::Mat& now, const cv::Mat& before, cv::Mat& motion) {

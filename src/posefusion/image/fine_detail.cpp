@@ -1,4 +1,4 @@
-#include "posefusion/image/sharpness_loss.h"
+#include "posefusion/image/fine_detail.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,6 @@ namespace posefusion {
 namespace {
 
 constexpr int kFineLag = 1;
-constexpr int kCoarseLag = 16;
-constexpr int kMinOverlap = 4 * kCoarseLag;
 /// What sensor noise of about 1.8 grey levels leaves of the fine differences after smoothing.
 constexpr double kNoise = 0.3;
 constexpr double kMinSquare = 0.05;
@@ -40,11 +38,6 @@ double FineSquare(const cv::Mat& image, cv::Point direction) {
   return std::max(MeanSquareDifference(image, kFineLag * direction) - kNoise, kMinSquare);
 }
 
-double LogSharpness(const cv::Mat& image, cv::Point direction) {
-  const double coarse = MeanSquareDifference(image, kCoarseLag * direction);
-  return std::log(FineSquare(image, direction) / std::max(coarse, kMinSquare));
-}
-
 }  // namespace
 
 double FineDetail(const cv::Mat& image) {
@@ -52,19 +45,6 @@ double FineDetail(const cv::Mat& image) {
   double log_sum = 0;
   for (const cv::Point direction : kDirections) log_sum += std::log(FineSquare(image, direction));
   return std::exp(log_sum / static_cast<double>(std::size(kDirections)));
-}
-
-double SharpnessLoss(const cv::Mat& before, const cv::Mat& now, cv::Point2d shift_px) {
-  const cv::Rect image(0, 0, now.cols, now.rows);
-  const cv::Point shift(cvRound(shift_px.x), cvRound(shift_px.y));
-  const cv::Rect here = image & (image + shift);
-  if (here.width < kMinOverlap || here.height < kMinOverlap) return 0;
-  const cv::Rect there = here - shift;
-  double loss = 0;
-  for (const cv::Point direction : kDirections) {
-    loss += LogSharpness(before(there), direction) - LogSharpness(now(here), direction);
-  }
-  return loss / static_cast<double>(std::size(kDirections));
 }
 
 }  // namespace posefusion
