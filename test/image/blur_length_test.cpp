@@ -39,7 +39,7 @@ cv::Point2d MedianOf(const cv::Mat& motion) {
 
 TEST(ImageMotion, FindsShiftsWithinAPixel) {
   const cv::Mat room = Grey(RoomImage(1));
-  for (const cv::Point2d shift : {cv::Point2d(0, 0), {3, 0}, {-11.5, 4}, {14, -9}}) {
+  for (const cv::Point2d shift : {cv::Point2d(0, 0), {3, 0}, {-11.5, 4}, {20, -31}, {60, 12}}) {
     ImageMotion motion;
     EXPECT_TRUE(motion.Next(Grey(WithNoise(RoomImage(1), 2, 1))).empty());
     const cv::Mat moved_px = motion.Next(Moved(room, shift.x, shift.y));

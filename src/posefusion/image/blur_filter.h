@@ -17,7 +17,7 @@ struct BlurFilterConfig {
   bool enabled = true;
   BlurMode mode = BlurMode::kLength;
   double threshold = 100;      ///< absolute mode: scores below are blurred [grey levels^2]
-  double max_length_px = 3.6;  ///< length mode: longer blur is dropped
+  double max_length_px = 4.0;  ///< length mode: longer blur is dropped
   /// Length mode: an image with more fine detail left is kept all the same, unless it lost much of
   /// it at once: it is of use, and a camera that always moves fast has none better [grey levels^2].
   double enough_detail = 46;

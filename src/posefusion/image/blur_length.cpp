@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "posefusion/image/fine_detail.h"
+#include "posefusion/image/sharpness.h"
 
 namespace posefusion {
 namespace {
@@ -13,40 +14,36 @@ namespace {
 constexpr double kMaxGapS = 0.2;
 constexpr double kUnknownPx = 0.5;  ///< of an image that has none before it
 constexpr int kSampleStride = 4;    ///< pixels of the motion field
-constexpr double kSuddenPx2 = 60;  ///< growth of a sharp image that is blurred by 8 px, and more
+constexpr double kSameContrast = 4;  ///< a larger ratio of CoarseContrast is another light
+constexpr double kSuddenPx2 = 80;   ///< growth of a sharp image that is blurred by 9 px, and more
 
-/// Content that seems to come from further than this share of the image's width has no match: it
-/// moved fast or has no texture. It counts as blurred.
-constexpr double kReach = 0.25;
-constexpr double kUnmatchedPx = 8;
-
-// The numbers below were found together as those of the best recall at 1 % false drops over twelve
-// simulated runs of hrp_loop and hrp_falls (evaluate_blur); half as much more or less of one of
-// them changes little.
+// The numbers below were found together as those of the best recall at 1 % false drops over ten
+// simulated runs of hrp_loop and hrp_falls (evaluate_blur).
 
 /// Motion between images, taken as motion while the shutter is open: the less it lasts, the less
 /// certain. Blur that grows or fades shows a change within the interval.
-constexpr double kMotionPx = 0.1;
-constexpr double kPerLength = 0.05;
-constexpr double kPerChange = 0.2;
-constexpr double kPerGrowth = 0.4;
-constexpr double kShortPx = 1;  ///< shorter blur is as uncertain in its square as this
+constexpr double kMotionPx = 0.11;
+constexpr double kPerLength = 0.02;
+constexpr double kPerChange = 0.115;
+constexpr double kPerGrowth = 0.37;
+constexpr double kShortPx = 5.2;  ///< shorter blur is as uncertain in its square as this
 
 /// Growth of the blur: what its equations leave out, how much the tiles differ, and noise.
-constexpr double kGrowthScale = 0.8;
-constexpr double kGrowthPx2 = 1.7;
-constexpr double kPerSpread = 0.9;
-constexpr double kPerError = 4;
-constexpr double kPerSize = 0.2;
+constexpr double kGrowthPx2 = 1.2;
+constexpr double kPerSpread = 0.44;
+constexpr double kPerError = 13;
+constexpr double kPerSize = 0.23;
 
-/// What differs more from the camera's motion has a motion of its own.
-constexpr double kOwnMotionPx = 1.2;
-constexpr double kOwnMotionPerLength = 0.3;
+/// What differs more from the camera's motion has a motion of its own. The flow, which is smooth,
+/// finds it too short.
+constexpr double kOwnMotionPx = 1.9;
+constexpr double kOwnMotionPerLength = 0.39;
+constexpr double kOwnMotionMissingPx = 1;
 
 double Square(double x) { return x * x; }
 
 double SizeOfGrowth(const BlurConsensus& consensus) {
-  return kGrowthScale * (std::abs(consensus.growth_xx_px2) + std::abs(consensus.growth_yy_px2));
+  return std::abs(consensus.growth_xx_px2) + std::abs(consensus.growth_yy_px2);
 }
 
 /// What of it is more than the tiles differ.
@@ -55,7 +52,7 @@ double SureChange(const BlurConsensus& consensus) {
 }
 
 double ClearGrowth(const BlurConsensus& consensus) {
-  return kGrowthScale * (consensus.growth_xx_px2 + consensus.growth_yy_px2) - consensus.spread_px2;
+  return consensus.growth_xx_px2 + consensus.growth_yy_px2 - consensus.spread_px2;
 }
 
 }  // namespace
@@ -63,6 +60,11 @@ double ClearGrowth(const BlurConsensus& consensus) {
 BlurLength::Blur BlurLength::Unknown() {
   const double square_px2 = 0.5 * Square(kUnknownPx);
   return {square_px2, square_px2, Square(kGrowthPx2)};
+}
+
+bool BlurLength::HasSameContrast(const cv::Mat& grey) {
+  const double before = std::exchange(contrast_, CoarseContrast(grey));
+  return std::max(before, contrast_) <= kSameContrast * std::min(before, contrast_);
 }
 
 BlurEstimate BlurLength::Next(const cv::Mat& grey, StampNs stamp_ns) {
@@ -75,7 +77,8 @@ BlurEstimate BlurLength::Next(const cv::Mat& grey, StampNs stamp_ns) {
   cv::GaussianBlur(grey, fine_, {3, 3}, 0);
   const cv::Mat& moved_px = image_motion_.Next(grey);
   const double detail = FineDetail(fine_);
-  if (!follows || moved_px.empty()) {
+  const bool same_light = HasSameContrast(grey);
+  if (!follows || !same_light || moved_px.empty()) {
     tiles_.clear();
     blur_ = Unknown();
     return {kUnknownPx, detail, false};
@@ -110,8 +113,8 @@ BlurLength::Blur BlurLength::FromMotion(const BlurConsensus& consensus) {
 }
 
 void BlurLength::Grow(const BlurConsensus& consensus) {
-  blur_.xx_px2 = std::max(blur_.xx_px2 + kGrowthScale * consensus.growth_xx_px2, 0.0);
-  blur_.yy_px2 = std::max(blur_.yy_px2 + kGrowthScale * consensus.growth_yy_px2, 0.0);
+  blur_.xx_px2 = std::max(blur_.xx_px2 + consensus.growth_xx_px2, 0.0);
+  blur_.yy_px2 = std::max(blur_.yy_px2 + consensus.growth_yy_px2, 0.0);
   blur_.variance_px4 += Square(kGrowthPx2) + Square(kPerSpread * consensus.spread_px2) +
                         Square(kPerError * consensus.error_px2) +
                         Square(kPerSize * SizeOfGrowth(consensus));
@@ -131,20 +134,15 @@ double BlurLength::MedianLength(const cv::Mat& moved_px, double share,
   const auto own_px = static_cast<float>(kOwnMotionPx + kOwnMotionPerLength * consensus.length_px);
   const cv::Vec2f camera_motion_px(static_cast<float>(consensus.moved_px.x),
                                    static_cast<float>(consensus.moved_px.y));
-  const auto reach_px = static_cast<float>(kReach * size_.width * share);
-  const auto unmatched_px = static_cast<float>(std::max(kUnmatchedPx, camera_px));
   lengths_px_.clear();
   for (int v = kSampleStride / 2; v < moved_px.rows; v += kSampleStride) {
     for (int u = kSampleStride / 2; u < moved_px.cols; u += kSampleStride) {
       const cv::Vec2f motion_px = static_cast<float>(share) * moved_px.at<cv::Vec2f>(v, u);
       const cv::Vec2f own = motion_px - camera_motion_px;
-      float length_px = std::hypot(motion_px[0], motion_px[1]);
-      if (length_px > reach_px) {
-        length_px = unmatched_px;
-      } else if (own.dot(own) <= own_px * own_px) {
-        length_px = std::max(0.0F, length_px + more_px);
-      }
-      lengths_px_.push_back(length_px);
+      const float length_px = std::hypot(motion_px[0], motion_px[1]);
+      const bool is_own = own.dot(own) > own_px * own_px;
+      const auto missing_px = is_own ? static_cast<float>(kOwnMotionMissingPx) : more_px;
+      lengths_px_.push_back(std::max(0.0F, length_px + missing_px));
     }
   }
   const auto middle = lengths_px_.begin() + static_cast<std::ptrdiff_t>(lengths_px_.size() / 2);

@@ -23,17 +23,16 @@ struct BlurEstimate {
 ///   good for lasting motion such as a fall, blind for a knock shorter than a frame;
 ///   by how much the blur grew against the image before, along and across (MeasureBlurGrowth):
 ///   good for a knock, but the sum drifts, and there is none where nothing has texture.
-/// Both are combined for the camera as by a Kalman filter whose state are
-/// the squares of the components of l. What
-/// moves otherwise, such as a person close by, has the length of its own motion. The median over
-/// the image is the result. What is in view plays no part: a scene of less texture has not grown
+/// Both are combined for the camera as by a Kalman filter whose state are the squares of the
+/// components of l. What moves otherwise, such as a person close by, has the length of its own
+/// motion. The median over the image is the result. What is in view plays no part: a scene of less texture has not grown
 /// blurred. Images come in stamp order. The same images give the same lengths. Not thread-safe.
 class BlurLength {
  public:
   explicit BlurLength(double exposure_s) : exposure_s_(exposure_s) {}
 
-  /// The next image (CV_8UC1). Its length is taken to be small for the first, and for
-  /// one after a gap of more than 0.2 s, after a step back in time or of another size.
+  /// The next image (CV_8UC1). Its length is taken to be small for the first, and for one
+  /// after a gap of more than 0.2 s, after a step back in time, of another size or in another light.
   BlurEstimate Next(const cv::Mat& grey, StampNs stamp_ns);
 
   /// The next image does not follow on another: nothing could be seen in the last.
@@ -50,6 +49,8 @@ class BlurLength {
   static Blur Unknown();
   static Blur FromMotion(const BlurConsensus& consensus);
   bool Follows(const cv::Mat& grey, StampNs stamp_ns) const;
+  /// False when the light changed, which looks like blur. Takes the image's contrast.
+  bool HasSameContrast(const cv::Mat& grey);
   void Grow(const BlurConsensus& consensus);
   void Correct(const Blur& measured);
   double MedianLength(const cv::Mat& moved_px, double share, const BlurConsensus& consensus);
@@ -63,6 +64,7 @@ class BlurLength {
   StampNs stamp_ns_ = 0;
   std::vector<BlurTile> tiles_;  ///< of the last image; empty when it followed on none
   double share_ = 0;             ///< of the last image
+  double contrast_ = 0;          ///< of the last image
   Blur blur_;                    ///< of the last image
   std::vector<float> lengths_px_;
 };

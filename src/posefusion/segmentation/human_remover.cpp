@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "posefusion/config/config.h"
-#include "posefusion/image/motion_field.h"
 #include "posefusion/segmentation/frame_history.h"
+#include "posefusion/segmentation/motion_field.h"
 #include "posefusion/segmentation/people_memory.h"
 #include "posefusion/segmentation/person_tracks.h"
 

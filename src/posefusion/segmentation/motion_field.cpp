@@ -1,17 +1,13 @@
-#include "posefusion/image/motion_field.h"
+#include "posefusion/segmentation/motion_field.h"
 
 #include <opencv2/imgproc.hpp>
 
 namespace posefusion {
 
-MotionField::MotionField(MotionDetail detail)
+MotionField::MotionField()
     : flow_(cv::DISOpticalFlow::create(cv::DISOpticalFlow::PRESET_ULTRAFAST)) {
   // Propagation goes through stripes of the image whose number depends on the number of threads.
   flow_->setUseSpatialPropagation(false);
-  if (detail == MotionDetail::kCoarse) return;
-  flow_->setFinestScale(1);
-  flow_->setPatchStride(3);
-  flow_->setGradientDescentIterations(16);
 }
 
 void MotionField::Estimate(const cv::Mat& now, const cv::Mat& before, cv::Mat& motion) {

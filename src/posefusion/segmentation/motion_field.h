@@ -5,17 +5,11 @@
 
 namespace posefusion {
 
-/// What the time spent on a motion field buys.
-enum class MotionDetail {
-  kCoarse,  ///< one motion per 16 pixels; 0.3 ms for 160x120
-  kFine,    ///< one motion per 6 pixels, small and fast things too; 1 ms for 160x120
-};
-
 /// Where the content of an image was in an earlier one: dense optical flow (dense inverse search,
-/// Kroeger et al. 2016). Keeps its memory. Not thread-safe.
+/// Kroeger et al. 2016) at the resolution of the cells. Keeps its memory. Not thread-safe.
 class MotionField {
  public:
-  explicit MotionField(MotionDetail detail = MotionDetail::kCoarse);
+  MotionField();
 
   /// `motion` becomes CV_32FC2 of the images' size: pixel x of `now` shows what pixel
   /// x + motion(x) of `before` showed. Both are CV_8UC1 of one size. The same for any number of
