@@ -9,6 +9,7 @@
 #include "posefusion/common/parallel.h"
 #include "posefusion/image/rectifier.h"
 #include "posefusion/surfel/fusion.h"
+#include "posefusion/tracking/odometry_motion.h"
 #include "posefusion/tracking/tracker.h"
 
 namespace posefusion {
@@ -33,6 +34,7 @@ struct Slam::State {
     rectifier.reset();
     builder.emplace(config.pyramid, config.depth_noise);
     tracker.emplace(config.tracking, config.depth_noise);
+    odometry.emplace(config.tracking.prior);
     fuser.emplace(config.fusion, config.depth_noise);
     splatter.emplace(config.splat, config.depth_noise);
     map.emplace(config.surfel_map);
@@ -48,6 +50,7 @@ struct Slam::State {
   std::optional<Rectifier> rectifier;
   std::optional<PyramidBuilder> builder;
   std::optional<Tracker> tracker;
+  std::optional<OdometryMotion> odometry;
   std::optional<Fuser> fuser;
   std::optional<Splatter> splatter;
   std::optional<SurfelMap> map;
@@ -60,7 +63,7 @@ struct Slam::State {
   void Check(const RgbdFrame& frame, const PeopleInFrame& people) const;
   void Rectify(const RgbdFrame& frame, const PeopleInFrame& people);
   void Prepare();
-  TrackingResult Track();
+  TrackingResult Track(const FrameHints& hints);
   void FuseInto(const TrackingResult& tracking);
   void Predict();
   double MotionWeight() const;
@@ -98,10 +101,15 @@ void Slam::State::Prepare() {
   builder->Build(rectified, rectified_people, parallel, pyramid);
 }
 
-TrackingResult Slam::State::Track() {
+TrackingResult Slam::State::Track(const FrameHints& hints) {
   const auto scope = clock.Measure("track");
-  if (map->NumSurfels() == 0) return tracker->Start(pyramid, LevelCamera());
-  return tracker->Track(pyramid, view, parallel);
+  odometry->Advance(hints.T_odom_camera);
+  const TrackingResult result =
+      map->NumSurfels() == 0
+          ? tracker->Start(pyramid, LevelCamera())
+          : tracker->Track(pyramid, view, parallel, odometry->SinceLastTracked());
+  if (result.health != TrackingHealth::kFailed) odometry->NoteTracked();
+  return result;
 }
 
 double Slam::State::MotionWeight() const {
@@ -135,7 +143,8 @@ Slam::Slam(const SlamConfig& config, int num_threads) {
 
 Slam::~Slam() = default;
 
-FrameResult Slam::ProcessFrame(const RgbdFrame& frame, const PeopleInFrame& people) {
+FrameResult Slam::ProcessFrame(const RgbdFrame& frame, const PeopleInFrame& people,
+                               const FrameHints& hints) {
   State& s = *state_;
   s.Check(frame, people);
   s.clock.Clear();
@@ -145,7 +154,7 @@ FrameResult Slam::ProcessFrame(const RgbdFrame& frame, const PeopleInFrame& peop
   s.Prepare();
   FrameResult result;
   result.stamp_ns = frame.stamp_ns;
-  result.tracking = s.Track();
+  result.tracking = s.Track(hints);
   if (result.HasPose()) {
     s.FuseInto(result.tracking);
     s.Predict();
