@@ -164,8 +164,9 @@ std::vector<Eigen::Isometry3d> Tracker::Guesses(const FramePyramid& frame,
 }
 
 /// After a gap or a jump Gauss-Newton may settle on a wrong pose that still has many inliers; both
-/// their share and the intensities then fit much worse than they have done just before.
-bool Tracker::FitsLikeRecentFrames(const TrackingResult& result) const {
+/// their share and the intensities then fit much worse than they have done just before. After a
+/// long gap every pose within reach is as likely as another, and a good one fits in both.
+bool Tracker::FitsLikeRecentFrames(const TrackingResult& result, double elapsed_s) const {
   constexpr std::size_t kEnoughFrames = 5;
   if (recent_fits_.size() < kEnoughFrames) return true;
   std::vector<double> inliers;
@@ -175,8 +176,10 @@ bool Tracker::FitsLikeRecentFrames(const TrackingResult& result) const {
     residuals.push_back(fit.intensity_rms);
   }
   const double residual = std::max(Quantile(residuals, 0.5), config_.intensity_sigma_floor);
-  return result.inlier_ratio >= config_.min_fit_inliers * Quantile(inliers, 0.5) ||
-         result.intensity_rms <= config_.max_fit_residual * residual;
+  const bool inliers_fit = result.inlier_ratio >= config_.min_fit_inliers * Quantile(inliers, 0.5);
+  const bool intensities_fit = result.intensity_rms <= config_.max_fit_residual * residual;
+  return elapsed_s > config_.gap_s ? inliers_fit && intensities_fit
+                                   : inliers_fit || intensities_fit;
 }
 
 bool Tracker::IsPlausibleStep(const Eigen::Isometry3d& T_map_camera, double elapsed_s) const {
@@ -210,24 +213,31 @@ TrackingResult Tracker::Judge(const Alignment& alignment, const ModelView& view,
     result.failure = "residuals too large";
   } else if (!IsPlausibleStep(result.T_map_camera, elapsed_s)) {
     result.failure = "implausible jump";
-  } else if (!FitsLikeRecentFrames(result)) {
+  } else if (!FitsLikeRecentFrames(result, elapsed_s)) {
     result.failure = "fits much worse than before";
   }
   if (result.failure[0] != '\0') return result;
+  result.covariance = CovarianceInMap(alignment, view);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
+      result.covariance.topLeftCorner<3, 3>(), Eigen::EigenvaluesOnly);
+  const double worst = std::sqrt(std::max(0.0, eigen.eigenvalues().maxCoeff()));
+  if (worst > config_.max_sigma_m) {
+    result.failure = "pose too uncertain";
+    return result;
+  }
+  result.health = worst > config_.weak_sigma_m ? TrackingHealth::kWeak : TrackingHealth::kGood;
+  return result;
+}
 
-  // The perturbation of the alignment acts at the view's origin in its axes; reported is the same
-  // at the camera's centre in the map's axes.
+/// The perturbation of the alignment acts at the view's origin in its axes; reported is the same at
+/// the camera's centre in the map's axes.
+Matrix6d Tracker::CovarianceInMap(const Alignment& alignment, const ModelView& view) const {
   Eigen::Isometry3d T_here_view = Eigen::Isometry3d::Identity();
   T_here_view.linear() = view.T_map_camera.linear();
   T_here_view.translation() = -(view.T_map_camera.linear() * alignment.T_view_camera.translation());
   const Matrix6d adjoint = AdjointSE3(T_here_view);
   const Matrix6d covariance_view = config_.covariance_scale * alignment.Information().inverse();
-  result.covariance = adjoint * covariance_view * adjoint.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
-      result.covariance.topLeftCorner<3, 3>(), Eigen::EigenvaluesOnly);
-  const double worst = std::sqrt(std::max(0.0, eigen.eigenvalues().maxCoeff()));
-  result.health = worst > config_.weak_sigma_m ? TrackingHealth::kWeak : TrackingHealth::kGood;
-  return result;
+  return adjoint * covariance_view * adjoint.transpose();
 }
 
 }  // namespace posefusion

@@ -56,7 +56,8 @@ class Tracker {
   std::vector<Eigen::Isometry3d> Guesses(const FramePyramid& frame,
                                          const Eigen::Isometry3d& T_view_last) const;
   TrackingResult Judge(const Alignment& alignment, const ModelView& view, double elapsed_s) const;
-  bool FitsLikeRecentFrames(const TrackingResult& result) const;
+  bool FitsLikeRecentFrames(const TrackingResult& result, double elapsed_s) const;
+  Matrix6d CovarianceInMap(const Alignment& alignment, const ModelView& view) const;
   bool IsPlausibleStep(const Eigen::Isometry3d& T_map_camera, double elapsed_s) const;
   Vector6d Velocity() const;
   void Remember(const FramePyramid& frame);
