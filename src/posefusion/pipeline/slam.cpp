@@ -64,8 +64,11 @@ struct Slam::State {
   void Rectify(const RgbdFrame& frame, const PeopleInFrame& people);
   void Prepare();
   TrackingResult Track(const FrameHints& hints);
+  TrackingResult Follow(const std::optional<MotionPrior>& prior);
+  bool IsFar(const MotionPrior& prior) const;
   void FuseInto(const TrackingResult& tracking);
   void Predict();
+  void PredictFrom(const Eigen::Isometry3d& T_map_camera);
   double MotionWeight() const;
 
   RgbdFrame rectified;
@@ -104,12 +107,28 @@ void Slam::State::Prepare() {
 TrackingResult Slam::State::Track(const FrameHints& hints) {
   const auto scope = clock.Measure("track");
   odometry->Advance(hints.T_odom_camera);
-  const TrackingResult result =
-      map->NumSurfels() == 0
-          ? tracker->Start(pyramid, LevelCamera())
-          : tracker->Track(pyramid, view, parallel, odometry->SinceLastTracked());
+  const TrackingResult result = map->NumSurfels() == 0 ? tracker->Start(pyramid, LevelCamera())
+                                                       : Follow(odometry->SinceLastTracked());
   if (result.health != TrackingHealth::kFailed) odometry->NoteTracked();
   return result;
+}
+
+/// After a gap what the camera sees may hardly be in view from the last pose.
+TrackingResult Slam::State::Follow(const std::optional<MotionPrior>& prior) {
+  if (prior && tracker->TrustsPriors() && IsFar(*prior)) {
+    PredictFrom(tracker->T_map_camera() * prior->T_last_camera);
+    const TrackingResult result = tracker->Track(pyramid, view, parallel, prior);
+    if (result.health != TrackingHealth::kFailed) return result;
+  }
+  if (view.T_map_camera.matrix() != tracker->T_map_camera().matrix()) {
+    PredictFrom(tracker->T_map_camera());
+  }
+  return tracker->Track(pyramid, view, parallel, prior);
+}
+
+bool Slam::State::IsFar(const MotionPrior& prior) const {
+  return prior.T_last_camera.translation().norm() > config.tracking.prior.predict_m ||
+         LogSO3(prior.T_last_camera.linear()).norm() > config.tracking.prior.predict_rad;
 }
 
 double Slam::State::MotionWeight() const {
@@ -130,8 +149,12 @@ void Slam::State::FuseInto(const TrackingResult& tracking) {
 
 void Slam::State::Predict() {
   const auto scope = clock.Measure("predict");
+  PredictFrom(tracker->T_map_camera());
+}
+
+void Slam::State::PredictFrom(const Eigen::Isometry3d& T_map_camera) {
   const StampNs window = StampFromSeconds(config.fusion.time_window_s);
-  splatter->Render(*map, rectified.camera, tracker->T_map_camera(),
+  splatter->Render(*map, rectified.camera, T_map_camera,
                    map->FirstFrameSince(pyramid.stamp_ns - window), parallel, view);
   BuildIntensityLevels(config.pyramid.num_levels, parallel, view);
 }

@@ -19,6 +19,8 @@ struct MotionPriorConfig {
   int regain_frames = 15;   ///< so many frames in a row must agree before it is used again
   double min_support = 0.9;  ///< guesses that explain so much of what the best one does are equal:
                              ///< the one nearest to the prior is followed
+  double predict_m = 0.1;     ///< a camera that should be further away than this ...
+  double predict_rad = 0.15;  ///< ... or this is aligned to a view predicted from there
 };
 
 template <class V>
@@ -33,6 +35,8 @@ void Describe(V& v, MotionPriorConfig& c) {
   v.Field("max_sigmas", c.max_sigmas, 0.5, 100.0);
   v.Field("regain_frames", c.regain_frames, 0, 10000);
   v.Field("min_support", c.min_support, 0.0, 1.0);
+  v.Field("predict_m", c.predict_m, 0.0, 100.0);
+  v.Field("predict_rad", c.predict_rad, 0.0, 3.2);
 }
 
 }  // namespace posefusion

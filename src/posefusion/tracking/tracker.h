@@ -31,6 +31,9 @@ class Tracker {
   /// Where the camera was when the last frame's depth was measured, seen from the last pose.
   const Eigen::Isometry3d& T_color_depth() const { return T_color_depth_; }
 
+  /// Priors have not contradicted the images of late.
+  bool TrustsPriors() const { return trust_.trusted(); }
+
   /// Last pose that was not failed.
   const Eigen::Isometry3d& T_map_camera() const { return T_map_camera_; }
 
