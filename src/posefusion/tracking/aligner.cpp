@@ -96,19 +96,39 @@ double Aligner::PriorWeight(int level, int finest) const {
   return config_.covariance_scale * std::pow(0.25, level - finest);
 }
 
+Aligner::Candidate Aligner::AlignGuess(const Level& level, const Eigen::Isometry3d& T_view_camera,
+                                       const ParallelRunner& parallel, const Scales& scales,
+                                       const Alignment& alignment) {
+  Candidate candidate{alignment, scales, 0};
+  candidate.alignment.T_view_camera = T_view_camera;
+  Iterate(level, parallel, candidate.scales, candidate.alignment);
+  candidate.support = Support(level.input, candidate.alignment.T_view_camera, parallel);
+  return candidate;
+}
+
+/// Where the prior and the geometry lead without the intensities, which are ambiguous on stripes
+/// and may pull a pose by a whole period.
+Eigen::Isometry3d Aligner::AlignGeometry(Level level, const ParallelRunner& parallel, Scales scales,
+                                         Alignment alignment) {
+  level.input.use_intensity = false;
+  alignment.T_view_camera = level.prior->T_view_camera;
+  Iterate(level, parallel, scales, alignment);
+  return alignment.T_view_camera;
+}
+
 /// Aligns every start and keeps the best.
 void Aligner::AlignCoarsest(const Level& level, const Start& start, const ParallelRunner& parallel,
                             Scales& scales, Alignment& alignment) {
   candidates_.clear();
-  long long num_rows = 0;
   for (const Eigen::Isometry3d& T_view_camera : start.T_view_camera) {
-    Candidate candidate{alignment, scales, 0};
-    candidate.alignment.T_view_camera = T_view_camera;
-    Iterate(level, parallel, candidate.scales, candidate.alignment);
-    candidate.support = Support(level.input, candidate.alignment.T_view_camera, parallel);
-    num_rows += candidate.alignment.num_rows_total;
-    candidates_.push_back(candidate);
+    candidates_.push_back(AlignGuess(level, T_view_camera, parallel, scales, alignment));
   }
+  if (level.prior != nullptr && config_.use_icp) {
+    const Eigen::Isometry3d T_geometry = AlignGeometry(level, parallel, scales, alignment);
+    candidates_.push_back(AlignGuess(level, T_geometry, parallel, scales, alignment));
+  }
+  long long num_rows = 0;
+  for (const Candidate& candidate : candidates_) num_rows += candidate.alignment.num_rows_total;
   const Candidate& chosen = Choose(level.prior);
   alignment = chosen.alignment;
   alignment.num_rows_total = num_rows;

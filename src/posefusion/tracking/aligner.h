@@ -90,6 +90,11 @@ class Aligner {
                             Alignment& alignment);
   void Iterate(const Level& level, const ParallelRunner& parallel, Scales& scales,
                Alignment& alignment);
+  Candidate AlignGuess(const Level& level, const Eigen::Isometry3d& T_view_camera,
+                       const ParallelRunner& parallel, const Scales& scales,
+                       const Alignment& alignment);
+  Eigen::Isometry3d AlignGeometry(Level level, const ParallelRunner& parallel, Scales scales,
+                                  Alignment alignment);
   void AlignCoarsest(const Level& level, const Start& start, const ParallelRunner& parallel,
                      Scales& scales, Alignment& alignment);
   const Candidate& Choose(const PosePrior* prior) const;

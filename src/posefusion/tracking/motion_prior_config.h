@@ -9,7 +9,7 @@ namespace posefusion {
 /// feels neither the elastic shaking after touchdowns nor that of the head: the floor is for these.
 struct MotionPriorConfig {
   bool enabled = true;            ///< odometry is used where there is some
-  double sigma_floor_m = 0.02;    ///< of the motion between two frames, however small
+  double sigma_floor_m = 0.012;   ///< of the motion between two frames, however small
   double sigma_floor_rad = 0.02;  ///< likewise
   double sigma_m_per_m = 0.05;    ///< growth with the way since the last tracked frame
   double sigma_rad_per_m = 0.03;  ///< likewise

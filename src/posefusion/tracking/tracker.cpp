@@ -89,7 +89,8 @@ TrackingResult Tracker::Track(const FramePyramid& frame, const ModelView& view,
 Tracker::Outcome Tracker::TrackFrom(const Task& task, const Aligner::Start& start) {
   Outcome outcome;
   outcome.alignment = aligner_.Align(task.frame, task.view, start, task.parallel);
-  outcome.result = Judge(outcome.alignment, task.view, task.elapsed_s);
+  outcome.confirmed = start.prior && Agrees(outcome.alignment, *start.prior);
+  outcome.result = Judge(outcome.alignment, task.view, task.elapsed_s, outcome.confirmed);
   return outcome;
 }
 
@@ -102,7 +103,7 @@ TrackingResult Tracker::TrackWithPrior(const Task& task, const Aligner::Start& s
     start_with_prior.T_view_camera.push_back(prior.T_view_camera);
     start_with_prior.prior = prior;
     Outcome outcome = TrackFrom(task, start_with_prior);
-    if (outcome.tracked() && Agrees(outcome.alignment, prior)) {
+    if (outcome.tracked() && outcome.confirmed) {
       outcome.result.prior = PriorUse::kUsed;
       return outcome.result;
     }
@@ -165,8 +166,9 @@ std::vector<Eigen::Isometry3d> Tracker::Guesses(const FramePyramid& frame,
 
 /// After a gap or a jump Gauss-Newton may settle on a wrong pose that still has many inliers; both
 /// their share and the intensities then fit much worse than they have done just before. After a
-/// long gap every pose within reach is as likely as another, and a good one fits in both.
-bool Tracker::FitsLikeRecentFrames(const TrackingResult& result, double elapsed_s) const {
+/// long gap every pose within reach is as likely as another, unless a prior confirms it, and a good
+/// one fits in both.
+bool Tracker::FitsLikeRecentFrames(const TrackingResult& result, bool either_is_enough) const {
   constexpr std::size_t kEnoughFrames = 5;
   if (recent_fits_.size() < kEnoughFrames) return true;
   std::vector<double> inliers;
@@ -178,8 +180,7 @@ bool Tracker::FitsLikeRecentFrames(const TrackingResult& result, double elapsed_
   const double residual = std::max(Quantile(residuals, 0.5), config_.intensity_sigma_floor);
   const bool inliers_fit = result.inlier_ratio >= config_.min_fit_inliers * Quantile(inliers, 0.5);
   const bool intensities_fit = result.intensity_rms <= config_.max_fit_residual * residual;
-  return elapsed_s > config_.gap_s ? inliers_fit && intensities_fit
-                                   : inliers_fit || intensities_fit;
+  return either_is_enough ? inliers_fit || intensities_fit : inliers_fit && intensities_fit;
 }
 
 bool Tracker::IsPlausibleStep(const Eigen::Isometry3d& T_map_camera, double elapsed_s) const {
@@ -189,8 +190,8 @@ bool Tracker::IsPlausibleStep(const Eigen::Isometry3d& T_map_camera, double elap
              config_.max_step_rad + config_.max_speed_radps * elapsed_s;
 }
 
-TrackingResult Tracker::Judge(const Alignment& alignment, const ModelView& view,
-                              double elapsed_s) const {
+TrackingResult Tracker::Judge(const Alignment& alignment, const ModelView& view, double elapsed_s,
+                              bool is_confirmed) const {
   TrackingResult result;
   result.T_map_camera = view.T_map_camera * alignment.T_view_camera;
   result.valid_ratio = alignment.valid_ratio;
@@ -213,7 +214,7 @@ TrackingResult Tracker::Judge(const Alignment& alignment, const ModelView& view,
     result.failure = "residuals too large";
   } else if (!IsPlausibleStep(result.T_map_camera, elapsed_s)) {
     result.failure = "implausible jump";
-  } else if (!FitsLikeRecentFrames(result, elapsed_s)) {
+  } else if (!FitsLikeRecentFrames(result, is_confirmed || elapsed_s <= config_.gap_s)) {
     result.failure = "fits much worse than before";
   }
   if (result.failure[0] != '\0') return result;

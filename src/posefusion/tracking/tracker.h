@@ -48,6 +48,7 @@ class Tracker {
   struct Outcome {
     Alignment alignment;
     TrackingResult result;
+    bool confirmed = false;  ///< the pose agrees with the prior that took part
     bool tracked() const { return result.health != TrackingHealth::kFailed; }
   };
 
@@ -58,8 +59,9 @@ class Tracker {
   PosePrior InView(const MotionPrior& prior, const Eigen::Isometry3d& T_view_last) const;
   std::vector<Eigen::Isometry3d> Guesses(const FramePyramid& frame,
                                          const Eigen::Isometry3d& T_view_last) const;
-  TrackingResult Judge(const Alignment& alignment, const ModelView& view, double elapsed_s) const;
-  bool FitsLikeRecentFrames(const TrackingResult& result, double elapsed_s) const;
+  TrackingResult Judge(const Alignment& alignment, const ModelView& view, double elapsed_s,
+                       bool is_confirmed) const;
+  bool FitsLikeRecentFrames(const TrackingResult& result, bool either_is_enough) const;
   Matrix6d CovarianceInMap(const Alignment& alignment, const ModelView& view) const;
   bool IsPlausibleStep(const Eigen::Isometry3d& T_map_camera, double elapsed_s) const;
   Vector6d Velocity() const;
