@@ -101,8 +101,7 @@ Odometry ReadOdometry(const std::string& path) {
 Odometry OwnOdometry(const Arguments& arguments, const pf::SimulatedRun* simulation) {
   if (simulation != nullptr) {
     const pf::Simulator& simulator = simulation->simulator;
-    pf::Trajectory trajectory =
-        CameraOdometry(RecordRobot(simulator.config(), simulator.mover()));
+    pf::Trajectory trajectory = CameraOdometry(RecordRobot(simulator.config(), simulator.mover()));
     if (trajectory.empty()) return {};
     return {std::make_unique<pf::RecordedOdometry>(std::move(trajectory)), "simulator"};
   }
@@ -229,10 +228,9 @@ int main(int argc, char** argv) {
   app.add_option("--keypoint-delay", arguments.delivery.delay_s,
                  "lets keypoints arrive so many seconds later, in the time of the images")
       ->check(CLI::Range(0.0, 100.0));
-  app.add_option(
-      "--odometry", arguments.odometry,
-      "poses of the camera in the odometry frame, TUM format, or 'none' (default: "
-      "SOURCE/odometry_camera.txt if there is one, the simulated robot's own for sim:)");
+  app.add_option("--odometry", arguments.odometry,
+                 "poses of the camera in the odometry frame, TUM format, or 'none' (default: "
+                 "SOURCE/odometry_camera.txt if there is one, the simulated robot's own for sim:)");
   app.add_flag("--masks", arguments.save_masks, "writes what was taken for people to OUT/masks");
   app.add_option("--max-frames", arguments.max_frames, "ends after so many frames")
       ->check(CLI::PositiveNumber);

@@ -198,10 +198,10 @@ TEST(Slam, AJumpOfOdometryIsContradictedOnceAndDoesNoHarm) {
     hints.T_odom_camera = T_odom_map * SwayingPose(i);
     const PriorUse use = slam.ProcessFrame(*source.Next(), {}, hints).tracking.prior;
     const bool distrusted = i > kJump && i <= kJump + config.tracking.prior.regain_frames;
-    EXPECT_EQ(use, i == 0         ? PriorUse::kNone
-                   : i == kJump   ? PriorUse::kContradicted
-                   : distrusted   ? PriorUse::kDistrusted
-                                  : PriorUse::kUsed)
+    EXPECT_EQ(use, i == 0       ? PriorUse::kNone
+                   : i == kJump ? PriorUse::kContradicted
+                   : distrusted ? PriorUse::kDistrusted
+                                : PriorUse::kUsed)
         << i;
     EXPECT_LT(TranslationError(slam.trajectory(), i), 0.01) << i;
   }

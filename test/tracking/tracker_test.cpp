@@ -226,9 +226,9 @@ TEST_F(TrackerTest, PriorsAreUsedAgainAfterEnoughThatAgree) {
     const Vector6d motion = (Vector6d() << error_m, 0, 0, 0, 0, 0).finished();
     uses.push_back(tracker_->Track(pyramid_, view_, parallel_, PriorOf(motion)).prior);
   }
-  EXPECT_EQ(uses, (std::vector<PriorUse>{PriorUse::kUsed, PriorUse::kContradicted,
-                                         PriorUse::kDistrusted, PriorUse::kDistrusted,
-                                         PriorUse::kUsed}));
+  EXPECT_EQ(uses,
+            (std::vector<PriorUse>{PriorUse::kUsed, PriorUse::kContradicted, PriorUse::kDistrusted,
+                                   PriorUse::kDistrusted, PriorUse::kUsed}));
 }
 
 TEST_F(TrackerTest, ThePriorDecidesWhereTheImagesSayNothing) {

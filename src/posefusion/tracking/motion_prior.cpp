@@ -27,8 +27,7 @@ PosePrior PriorInView(const MotionPrior& prior, const Eigen::Isometry3d& T_view_
                       const Matrix6d& covariance_last) {
   PosePrior result;
   result.T_view_camera = T_view_last * prior.T_last_camera;
-  const Matrix6d of_motion =
-      CentreToView(T_view_last.linear(), result.T_view_camera.translation());
+  const Matrix6d of_motion = CentreToView(T_view_last.linear(), result.T_view_camera.translation());
   const Matrix6d of_last = CentreToView(T_view_last.linear(), T_view_last.translation());
   result.covariance = of_motion * prior.covariance * of_motion.transpose() +
                       of_last * covariance_last * of_last.transpose();

@@ -18,9 +18,9 @@ struct MotionPrior {
 /// The same as a soft term of the alignment to a view.
 struct PosePrior {
   Eigen::Isometry3d T_view_camera = Eigen::Isometry3d::Identity();
-  Matrix6d covariance = Matrix6d::Identity();  ///< for a left perturbation in the view
+  Matrix6d covariance = Matrix6d::Identity();   ///< for a left perturbation in the view
   Matrix6d information = Matrix6d::Identity();  ///< its inverse
-  double student_t_dof = 5;  ///< of the robust weight
+  double student_t_dof = 5;                     ///< of the robust weight
 };
 
 /// Gradient and curvature of a prior at a pose, for a left perturbation in the view.

@@ -8,17 +8,17 @@ namespace posefusion {
 /// measures steps by leg kinematics (2 to 3 % of the way, some milliradians of heading a step) and
 /// feels neither the elastic shaking after touchdowns nor that of the head: the floor is for these.
 struct MotionPriorConfig {
-  bool enabled = true;            ///< odometry is used where there is some
-  double sigma_floor_m = 0.012;   ///< of the motion between two frames, however small
-  double sigma_floor_rad = 0.02;  ///< likewise
-  double sigma_m_per_m = 0.05;    ///< growth with the way since the last tracked frame
-  double sigma_rad_per_m = 0.03;  ///< likewise
+  bool enabled = true;              ///< odometry is used where there is some
+  double sigma_floor_m = 0.012;     ///< of the motion between two frames, however small
+  double sigma_floor_rad = 0.02;    ///< likewise
+  double sigma_m_per_m = 0.05;      ///< growth with the way since the last tracked frame
+  double sigma_rad_per_m = 0.03;    ///< likewise
   double sigma_rad_per_rad = 0.05;  ///< growth with the turns since the last tracked frame
   double student_t_dof = 5.0;       ///< of the robust weight: less far away from the images' pose
-  double max_sigmas = 5.0;  ///< further apart, images and prior contradict: tracked without it
-  int regain_frames = 15;   ///< so many frames in a row must agree before it is used again
-  double min_support = 0.9;  ///< guesses that explain so much of what the best one does are equal:
-                             ///< the one nearest to the prior is followed
+  double max_sigmas = 5.0;    ///< further apart, images and prior contradict: tracked without it
+  int regain_frames = 15;     ///< so many frames in a row must agree before it is used again
+  double min_support = 0.9;   ///< guesses that explain so much of what the best one does are equal:
+                              ///< the one nearest to the prior is followed
   double predict_m = 0.1;     ///< a camera that should be further away than this ...
   double predict_rad = 0.15;  ///< ... or this is aligned to a view predicted from there
 };

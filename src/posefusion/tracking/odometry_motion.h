@@ -26,10 +26,10 @@ class OdometryMotion {
 
  private:
   MotionPriorConfig config_;
-  std::optional<Eigen::Isometry3d> T_odom_last_;     ///< at the last tracked frame
-  std::optional<Eigen::Isometry3d> T_odom_latest_;   ///< the newest that is known since then
-  std::optional<Eigen::Isometry3d> T_odom_camera_;   ///< of this frame
-  double way_m_ = 0;   ///< since the last tracked frame
+  std::optional<Eigen::Isometry3d> T_odom_last_;    ///< at the last tracked frame
+  std::optional<Eigen::Isometry3d> T_odom_latest_;  ///< the newest that is known since then
+  std::optional<Eigen::Isometry3d> T_odom_camera_;  ///< of this frame
+  double way_m_ = 0;                                ///< since the last tracked frame
   double turn_rad_ = 0;
 };
 
