@@ -185,5 +185,40 @@ TEST(Slam, ModelImageShowsTheRoom) {
   EXPECT_LT(cv::mean(difference.reshape(1))[0], 12);  // grey levels
 }
 
+TEST(Slam, AJumpOfOdometryIsContradictedOnceAndDoesNoHarm) {
+  constexpr int kJump = 10;
+  SlamConfig config;
+  Slam slam(config, kTwoThreads);
+  RenderedSource source(40);
+  for (int i = 0; i < 40; ++i) {
+    // The origin of the odometry frame is anywhere.
+    const Eigen::Isometry3d T_odom_map =
+        ExpSE3((Vector6d() << (i < kJump ? 7 : 8), -2, 0, 0, 0, 1).finished());
+    FrameHints hints;
+    hints.T_odom_camera = T_odom_map * SwayingPose(i);
+    const PriorUse use = slam.ProcessFrame(*source.Next(), {}, hints).tracking.prior;
+    const bool distrusted = i > kJump && i <= kJump + config.tracking.prior.regain_frames;
+    EXPECT_EQ(use, i == 0       ? PriorUse::kNone
+                   : i == kJump ? PriorUse::kContradicted
+                   : distrusted ? PriorUse::kDistrusted
+                                : PriorUse::kUsed)
+        << i;
+    EXPECT_LT(TranslationError(slam.trajectory(), i), 0.01) << i;
+  }
+}
+
+TEST(Slam, OdometryMayBeMissingNowAndThen) {
+  Slam slam(SlamConfig(), kTwoThreads);
+  RenderedSource source(12);
+  for (int i = 0; i < 12; ++i) {
+    FrameHints hints;
+    if (i % 4 != 3) hints.T_odom_camera = SwayingPose(i);
+    const FrameResult result = slam.ProcessFrame(*source.Next(), {}, hints);
+    EXPECT_TRUE(result.HasPose());
+    const bool is_known = i % 4 == 1 || i % 4 == 2;  // in this frame and in the one before
+    EXPECT_EQ(result.tracking.prior, is_known ? PriorUse::kUsed : PriorUse::kNone) << i;
+  }
+}
+
 }  // namespace
 }  // namespace posefusion
