@@ -34,7 +34,7 @@ struct HumanRemover::State {
   int CountPeople(const CellPeople& people);
 
   HumanRemovalConfig config;
-  PersonCutter cutter;
+  std::optional<PersonCutter> cutter;
   MotionField motion_field;
   FrameHistory history;
   PersonTracks tracks;
@@ -102,7 +102,7 @@ void HumanRemover::State::CarryInto(std::size_t index) {
 }
 
 void HumanRemover::State::KeepCuts(std::vector<PersonCut>& cuts) const {
-  for (std::size_t i = 0; i < cuts.size(); ++i) cutter.cuts()[i].copyTo(cuts[i].cells);
+  for (std::size_t i = 0; i < cuts.size(); ++i) cutter->cuts()[i].copyTo(cuts[i].cells);
 }
 
 void HumanRemover::State::CutSkeletons(PastFrame& entry, const Skeletons& skeletons,
@@ -110,8 +110,8 @@ void HumanRemover::State::CutSkeletons(PastFrame& entry, const Skeletons& skelet
   CutRequest request;
   request.skeletons = &skeletons;
   request.gravity = gravity;
-  cutter.CutCells(entry.frame, request);
-  seeds = cutter.people();
+  cutter->CutCells(entry.frame, request);
+  seeds = cutter->people();
   seen.cuts.assign(skeletons.people.size(), PersonCut());
   KeepCuts(seen.cuts);
   MarkSure(entry);
@@ -121,7 +121,7 @@ void HumanRemover::State::CutSkeletons(PastFrame& entry, const Skeletons& skelet
 
 /// Where the cuts made with keypoints know what is not person.
 void HumanRemover::State::MarkSure(const PastFrame& entry) {
-  const Grid<std::uint8_t>& surfaces = cutter.background_cells();
+  const Grid<std::uint8_t>& surfaces = cutter->background_cells();
   const cv::Size size = entry.cells.size();
   seen.near_seeds.create(size, CV_8UC1);
   seen.near_seeds.setTo(kFarFromSeeds);
@@ -174,7 +174,7 @@ void HumanRemover::State::CutCarried(const PastFrame& entry, double time_s, bool
     carried.push_back({person, false, cv::Mat()});
   }
   if (carried.empty() && by_keypoints) return;  // the cells of the frame have been built
-  cutter.CutCells(entry.frame, request);
+  cutter->CutCells(entry.frame, request);
   KeepCuts(carried);
 }
 
@@ -187,7 +187,7 @@ void HumanRemover::State::CutAt(std::size_t index, const Skeletons* skeletons, c
   CutCarried(entry, time_s, by_keypoints);
   UpdatePeople(by_keypoints ? &seen : nullptr, carried, entry.cells, time_s, tracks, entry.people);
   MarkPeople(entry.people, cell_mask);
-  cutter.Refine(entry.frame, cell_mask, mask);
+  cutter->Refine(entry.frame, cell_mask, mask);
 }
 
 /// People of enough cells; the others are forgotten.
@@ -234,6 +234,17 @@ HumanCut HumanRemover::Process(const RgbdFrame& frame, const std::vector<Skeleto
     result.mask_age_s = SecondsBetween(*s.newest_keypoints_ns, frame.stamp_ns);
   }
   return result;
+}
+
+void HumanRemover::Adopt(const HumanRemovalConfig& config) {
+  HumanRemovalConfig changed = state_->config;
+  changed.policy = config.policy;
+  changed.max_wait_s = config.max_wait_s;
+  changed.seeds = config.seeds;
+  changed.min_cut = config.min_cut;
+  CheckRanges("human_removal", changed);
+  state_->cutter.emplace(changed);
+  state_->config = changed;
 }
 
 void HumanRemover::Reset() {
