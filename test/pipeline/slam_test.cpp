@@ -51,6 +51,36 @@ TEST(Slam, StartsLevelAtTheOrigin) {
                   .isApprox(-Eigen::Vector3d::UnitZ()));
 }
 
+TEST(Slam, StartsAtTheGivenPoseAndAgainAfterAReset) {
+  Eigen::Isometry3d start(Eigen::Translation3d(1, -2, 1.5));
+  start.linear() = SwayingPose(5).linear();
+  Slam slam(SlamConfig(), kTwoThreads);
+  slam.SetStartPose(start);
+  RenderedSource source(3);
+  EXPECT_TRUE(slam.ProcessFrame(*source.Next()).tracking.T_map_camera.isApprox(start));
+  EXPECT_TRUE(slam.ProcessFrame(*source.Next()).HasPose());
+  EXPECT_LT(TranslationError(slam.trajectory(), 1), 0.01);
+  slam.Reset();
+  EXPECT_TRUE(slam.ProcessFrame(*source.Next()).tracking.T_map_camera.isApprox(start));
+}
+
+TEST(Slam, AdoptsTheDepthCutOffWhileItRuns) {
+  Slam slam(SlamConfig(), kTwoThreads);
+  RenderedSource source(3);
+  slam.ProcessFrame(*source.Next());
+  SlamConfig near;
+  near.pyramid.max_depth_m = 0.5;  // nothing of the room is that near
+  near.tracking.min_valid_ratio = 1;
+  slam.Adopt(near);
+  EXPECT_FALSE(slam.ProcessFrame(*source.Next()).HasPose());
+  EXPECT_EQ(slam.config().tracking.min_valid_ratio, SlamConfig().tracking.min_valid_ratio);
+  SlamConfig impossible;
+  impossible.pyramid.max_depth_m = -1;
+  EXPECT_THROW(slam.Adopt(impossible), std::invalid_argument);
+  slam.Adopt(SlamConfig());
+  EXPECT_TRUE(slam.ProcessFrame(*source.Next()).HasPose());
+}
+
 TEST(Slam, FramesWithoutDepthAreLostAndTheNextIsFound) {
   Slam slam(SlamConfig(), kTwoThreads);
   RenderedSource source(20);

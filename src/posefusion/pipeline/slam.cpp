@@ -8,21 +8,12 @@
 
 #include "posefusion/common/parallel.h"
 #include "posefusion/image/rectifier.h"
+#include "posefusion/pipeline/start_pose.h"
 #include "posefusion/surfel/fusion.h"
 #include "posefusion/tracking/odometry_motion.h"
 #include "posefusion/tracking/tracker.h"
 
 namespace posefusion {
-namespace {
-
-/// Start pose: x forward, y left, z up (REP-103) for a level camera at the origin.
-Eigen::Isometry3d LevelCamera() {
-  Eigen::Isometry3d T_map_camera = Eigen::Isometry3d::Identity();
-  T_map_camera.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
-  return T_map_camera;
-}
-
-}  // namespace
 
 /// What lives as long as the camera and the map stay the same.
 struct Slam::State {
@@ -46,7 +37,8 @@ struct Slam::State {
 
   SlamConfig config;
   ParallelRunner parallel;
-  std::optional<CameraModel> camera;  ///< of the frames as they come in
+  Eigen::Isometry3d T_map_start = LevelStartPose();  ///< of the camera in the first frame
+  std::optional<CameraModel> camera;                 ///< of the frames as they come in
   std::optional<Rectifier> rectifier;
   std::optional<PyramidBuilder> builder;
   std::optional<Tracker> tracker;
@@ -107,7 +99,7 @@ void Slam::State::Prepare() {
 TrackingResult Slam::State::Track(const FrameHints& hints) {
   const auto scope = clock.Measure("track");
   odometry->Advance(hints.T_odom_camera);
-  const TrackingResult result = map->NumSurfels() == 0 ? tracker->Start(pyramid, LevelCamera())
+  const TrackingResult result = map->NumSurfels() == 0 ? tracker->Start(pyramid, T_map_start)
                                                        : Follow(odometry->SinceLastTracked());
   if (result.health != TrackingHealth::kFailed) odometry->NoteTracked();
   return result;
@@ -186,6 +178,20 @@ FrameResult Slam::ProcessFrame(const RgbdFrame& frame, const PeopleInFrame& peop
   }
   result.stage_times = s.clock.times();
   return result;
+}
+
+void Slam::SetStartPose(const Eigen::Isometry3d& T_map_camera) {
+  state_->T_map_start = T_map_camera;
+}
+
+void Slam::Adopt(const SlamConfig& config) {
+  SlamConfig changed = state_->config;
+  changed.pyramid.min_depth_m = config.pyramid.min_depth_m;
+  changed.pyramid.max_depth_m = config.pyramid.max_depth_m;
+  changed.export_min_confidence = config.export_min_confidence;
+  CheckRanges("mapping", changed);
+  state_->config = changed;
+  state_->builder.emplace(changed.pyramid, changed.depth_noise);
 }
 
 void Slam::Reset() { state_->Clear(); }

@@ -49,6 +49,15 @@ class Slam {
   FrameResult ProcessFrame(const RgbdFrame& frame, const PeopleInFrame& people = {},
                            const FrameHints& hints = {});
 
+  /// Where the camera is in the first frame, the next one if the map is empty, and again after
+  /// Reset. LevelStartPose until somebody knows better.
+  void SetStartPose(const Eigen::Isometry3d& T_map_camera);
+
+  /// Takes over what may change while it runs: the depth limits of `pyramid` and
+  /// `export_min_confidence`; the rest of `config` is not looked at.
+  /// @throws std::invalid_argument naming the key for a value out of range; nothing changes then.
+  void Adopt(const SlamConfig& config);
+
   /// Forgets map, poses and camera; the next frame starts anew.
   void Reset();
 

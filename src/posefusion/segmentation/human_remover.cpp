@@ -46,7 +46,7 @@ struct HumanRemover::State {
   int CountPeople(const CellPeople& people);
 
   HumanRemovalConfig config;
-  PersonCutter cutter;
+  std::optional<PersonCutter> cutter;
   MotionField motion_field;
   FrameHistory history;
   PersonTracks tracks;
@@ -115,7 +115,7 @@ void HumanRemover::State::CarryInto(std::size_t index) {
 }
 
 void HumanRemover::State::KeepCuts(std::vector<PersonCut>& cuts) const {
-  for (std::size_t i = 0; i < cuts.size(); ++i) cutter.cuts()[i].copyTo(cuts[i].cells);
+  for (std::size_t i = 0; i < cuts.size(); ++i) cutter->cuts()[i].copyTo(cuts[i].cells);
 }
 
 void HumanRemover::State::CutSkeletons(PastFrame& entry, const Skeletons& skeletons,
@@ -126,8 +126,8 @@ void HumanRemover::State::CutSkeletons(PastFrame& entry, const Skeletons& skelet
   request.known_people = known_people;
   request.planes = &entry.planes;
   request.gravity = gravity;
-  cutter.CutCells(entry.frame, request);
-  seeds = cutter.people();
+  cutter->CutCells(entry.frame, request);
+  seeds = cutter->people();
   seen.cuts.assign(skeletons.people.size(), PersonCut());
   KeepCuts(seen.cuts);
   for (std::size_t i = 0; i < seeds.size(); ++i) seen.cuts[i].trunk = TrunkShare(seeds[i]);
@@ -138,7 +138,7 @@ void HumanRemover::State::CutSkeletons(PastFrame& entry, const Skeletons& skelet
 
 /// Where the cuts made with keypoints know what is not person.
 void HumanRemover::State::MarkSure(const PastFrame& entry) {
-  const Grid<std::uint8_t>& surfaces = cutter.background_cells();
+  const Grid<std::uint8_t>& surfaces = cutter->background_cells();
   const cv::Size size = entry.cells.size();
   seen.near_seeds.create(size, CV_8UC1);
   seen.near_seeds.setTo(kFarFromSeeds);
@@ -194,7 +194,7 @@ void HumanRemover::State::CutCarried(PastFrame& entry, double time_s, bool by_ke
     carried.push_back({person, false, cv::Mat()});
   }
   if (carried.empty() && by_keypoints) return;  // the cells of the frame have been built
-  cutter.CutCells(entry.frame, request);
+  cutter->CutCells(entry.frame, request);
   KeepCuts(carried);
 }
 
@@ -208,7 +208,7 @@ void HumanRemover::State::CutAt(std::size_t index, const Skeletons* skeletons, c
   CutCarried(entry, time_s, by_keypoints);
   UpdatePeople(by_keypoints ? &seen : nullptr, carried, entry.cells, time_s, tracks, entry.people);
   MarkPeople(entry.people, cell_mask);
-  cutter.Refine(entry.frame, cell_mask, mask);
+  cutter->Refine(entry.frame, cell_mask, mask);
 }
 
 /// People of enough cells; the others are forgotten.
@@ -255,6 +255,17 @@ HumanCut HumanRemover::Process(const RgbdFrame& frame, const std::vector<Skeleto
     result.mask_age_s = SecondsBetween(*s.newest_keypoints_ns, frame.stamp_ns);
   }
   return result;
+}
+
+void HumanRemover::Adopt(const HumanRemovalConfig& config) {
+  HumanRemovalConfig changed = state_->config;
+  changed.policy = config.policy;
+  changed.max_wait_s = config.max_wait_s;
+  changed.seeds = config.seeds;
+  changed.min_cut = config.min_cut;
+  CheckRanges("human_removal", changed);
+  state_->cutter.emplace(changed);
+  state_->config = changed;
 }
 
 void HumanRemover::Reset() {
