@@ -50,7 +50,7 @@ rviz=false
 echo "Playing $bag at rate $rate through roslaunch ..."
 log="$output/roslaunch.log"
 "$build/devel/env.sh" roslaunch --port "$port" posefusion demo.launch bag:="$bag" \
-  keypoints:=topic output_dir:="$output" rate:="$rate" rviz:="$rviz" > "$log" 2>&1 || true
+  robot:=hrp4 odom_frame:=odom keypoints:=topic output_dir:="$output" rate:="$rate" rviz:="$rviz" > "$log" 2>&1 || true
 grep -a '^frames:' "$log" || { tail -n 30 "$log" >&2; fail "the run failed, see $log"; }
 [[ -s "$output/trajectory.txt" && -s "$output/map.ply" ]] || fail "no result was saved, see $log"
 

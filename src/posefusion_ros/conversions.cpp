@@ -205,11 +205,11 @@ geometry_msgs::TransformStamped ToTransformMessage(const Eigen::Isometry3d& T_pa
   return transform;
 }
 
-geometry_msgs::PoseWithCovariance ToPoseWithCovariance(const TrackingResult& tracking) {
+geometry_msgs::PoseWithCovariance ToPoseWithCovariance(const Eigen::Isometry3d& T,
+                                                       const Matrix6d& covariance) {
   geometry_msgs::PoseWithCovariance pose;
-  pose.pose = ToPoseMessage(tracking.T_map_camera);
-  Eigen::Map<Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(pose.covariance.data()) =
-      tracking.covariance;
+  pose.pose = ToPoseMessage(T);
+  Eigen::Map<Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(pose.covariance.data()) = covariance;
   return pose;
 }
 

@@ -12,10 +12,10 @@
 #include <opencv2/core/mat.hpp>
 #include <string>
 
+#include "posefusion/common/lie.h"
 #include "posefusion/common/stamp.h"
 #include "posefusion/image/camera_model.h"
 #include "posefusion/surfel/surfel_cloud.h"
-#include "posefusion/tracking/tracking_result.h"
 
 namespace posefusion {
 
@@ -69,7 +69,8 @@ geometry_msgs::TransformStamped ToTransformMessage(const Eigen::Isometry3d& T_pa
                                                    const std_msgs::Header& child);
 
 /// Pose with the covariance in REP-103 order: x y z and rotation about x y z, row-major.
-geometry_msgs::PoseWithCovariance ToPoseWithCovariance(const TrackingResult& tracking);
+geometry_msgs::PoseWithCovariance ToPoseWithCovariance(const Eigen::Isometry3d& T,
+                                                       const Matrix6d& covariance);
 
 /// Fields x y z rgb normal_x normal_y normal_z radius confidence, all float32.
 sensor_msgs::PointCloud2Ptr ToPointCloud2(const SurfelCloud& cloud, const std_msgs::Header& header);

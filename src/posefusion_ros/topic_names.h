@@ -10,6 +10,9 @@ constexpr const char* kCameraRgbTopic = "camera/rgb/image_rect_color";
 constexpr const char* kCameraDepthTopic = "camera/depth_registered/image_rect";
 constexpr const char* kCameraInfoTopic = "camera/rgb/camera_info";
 
+// From the robot.
+constexpr const char* kImuTopic = "imu";
+
 // From BlurFilter: the same messages, without the blurred ones.
 constexpr const char* kSharpRgbTopic = "sharp/rgb/image_rect_color";
 constexpr const char* kSharpDepthTopic = "sharp/depth_registered/image_rect";

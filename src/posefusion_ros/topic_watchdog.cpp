@@ -6,6 +6,8 @@
 namespace posefusion {
 namespace {
 
+constexpr double kPaceWindowS = 5;
+
 std::string SecondsText(double seconds) {
   char text[32];
   std::snprintf(text, sizeof text, "%.0f s", seconds);
@@ -19,12 +21,25 @@ TopicWatchdog::TopicWatchdog(std::vector<std::string> topics, double limit_s, do
       limit_s_(limit_s),
       start_s_(now_s),
       last_message_s_(topics_.size()),
+      paces_(topics_.size(), PaceMeter(kPaceWindowS)),
       next_complaint_s_(now_s + limit_s),
       pause_s_(limit_s) {}
 
 void TopicWatchdog::NoteFrame(double now_s) {
   next_complaint_s_ = now_s + limit_s_;
   pause_s_ = limit_s_;
+}
+
+std::vector<TopicState> TopicWatchdog::States(double now_s) {
+  std::vector<TopicState> states;
+  for (std::size_t i = 0; i < topics_.size(); ++i) {
+    TopicState state;
+    state.name = topics_[i];
+    if (last_message_s_[i]) state.silent_s = now_s - *last_message_s_[i];
+    state.rate_hz = paces_[i].RateHz(now_s);
+    states.push_back(state);
+  }
+  return states;
 }
 
 std::string TopicWatchdog::SilentTopics(double now_s) const {

@@ -4,7 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "posefusion_ros/pace_meter.h"
+
 namespace posefusion {
+
+/// How a topic is doing.
+struct TopicState {
+  std::string name;                ///< resolved
+  std::optional<double> silent_s;  ///< since its last message; nothing when none ever came
+  double rate_hz = 0;
+};
 
 /// Finds out which topic keeps frames from coming together. Times are seconds of a steady clock.
 /// Not thread-safe.
@@ -13,8 +22,13 @@ class TopicWatchdog {
   /// `topics` are the resolved names.
   TopicWatchdog(std::vector<std::string> topics, double limit_s, double now_s);
 
-  void NoteMessage(std::size_t topic, double now_s) { last_message_s_[topic] = now_s; }
+  void NoteMessage(std::size_t topic, double now_s) {
+    last_message_s_[topic] = now_s;
+    paces_[topic].Note(now_s);
+  }
   void NoteFrame(double now_s);
+
+  std::vector<TopicState> States(double now_s);
 
   /// A line after `limit_s` without a frame, then after pauses that double: each topic that is
   /// silent, or, when all of them speak but no frame comes out, that their stamps do not fit.
@@ -29,6 +43,7 @@ class TopicWatchdog {
   const double limit_s_;
   const double start_s_;
   std::vector<std::optional<double>> last_message_s_;
+  std::vector<PaceMeter> paces_;
   double next_complaint_s_;
   double pause_s_;
 };

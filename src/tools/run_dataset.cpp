@@ -7,13 +7,16 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "interrupt.h"
 #include "posefusion/common/stage_clock.h"
 #include "posefusion/dataset/prefetched_source.h"
+#include "posefusion/dataset/trajectory_file.h"
 #include "posefusion/dataset/tum_folder_source.h"
 #include "posefusion/pipeline/offline_run.h"
+#include "posefusion/simulation/robot_record.h"
 #include "posefusion/simulation/sim_source.h"
 #include "posefusion/skeleton/skeleton_folder.h"
 #include "posefusion/skeleton/timed_skeletons.h"
@@ -27,12 +30,15 @@ namespace {
 
 namespace pf = posefusion;
 
+constexpr char kNone[] = "none";
+
 struct Arguments {
   std::string source;
   std::string out;
   std::string preset;
   std::vector<std::string> config_files;
   std::string keypoints;  ///< folder or "none"; empty = what the source has
+  std::string odometry;   ///< file or "none"; empty = what the source has
   pf::KeypointDelivery delivery;
   bool save_masks = false;
   int max_frames = 0;
@@ -75,11 +81,46 @@ class TrimmedSource : public pf::FrameSource {
   std::optional<pf::StampNs> first_stamp_ns_;
 };
 
+/// Where the robot believes its camera is.
+struct Odometry {
+  std::unique_ptr<pf::OdometrySource> source;  ///< null = none
+  std::string name = kNone;                    ///< for the report
+};
+
 struct Source {
   std::unique_ptr<pf::FrameSource> frames;
   std::unique_ptr<pf::SkeletonSource> own_keypoints;   ///< that come with the frames, or null
   std::shared_ptr<const pf::SimulatedRun> simulation;  ///< null for recorded frames
 };
+
+Odometry ReadOdometry(const std::string& path) {
+  return {std::make_unique<pf::RecordedOdometry>(pf::ReadTrajectory(path)), path};
+}
+
+/// What comes with the frames.
+Odometry OwnOdometry(const Arguments& arguments, const pf::SimulatedRun* simulation) {
+  if (simulation != nullptr) {
+    const pf::Simulator& simulator = simulation->simulator;
+    pf::Trajectory trajectory = CameraOdometry(RecordRobot(simulator.config(), simulator.mover()));
+    if (trajectory.empty()) return {};
+    return {std::make_unique<pf::RecordedOdometry>(std::move(trajectory)), "simulator"};
+  }
+  const std::string path = arguments.source + "/odometry_camera.txt";
+  return std::filesystem::exists(path) ? ReadOdometry(path) : Odometry();
+}
+
+/// @throws std::invalid_argument when a file is given that would not be used.
+Odometry OpenOdometry(const Arguments& arguments, const pf::SystemConfig& config,
+                      const pf::SimulatedRun* simulation) {
+  const bool enabled = config.mapping.tracking.prior.enabled;
+  if (arguments.odometry == kNone) return {};
+  if (arguments.odometry.empty()) return enabled ? OwnOdometry(arguments, simulation) : Odometry();
+  if (!enabled) {
+    throw std::invalid_argument("--odometry " + arguments.odometry +
+                                ": mapping.tracking.prior.enabled is false");
+  }
+  return ReadOdometry(arguments.odometry);
+}
 
 Source OpenSource(const Arguments& arguments) {
   if (EndsWith(arguments.source, ".bag")) {
@@ -107,7 +148,7 @@ Source OpenSource(const Arguments& arguments) {
 /// The keypoints that are asked for, as fast and as late as they are asked for; null for none.
 std::unique_ptr<pf::SkeletonSource> OpenKeypoints(const Arguments& arguments,
                                                   std::unique_ptr<pf::SkeletonSource> own) {
-  if (arguments.keypoints == "none") return nullptr;
+  if (arguments.keypoints == kNone) return nullptr;
   std::unique_ptr<pf::SkeletonSource> keypoints = std::move(own);
   if (!arguments.keypoints.empty()) {
     keypoints = std::make_unique<pf::SkeletonFolder>(arguments.keypoints);
@@ -138,6 +179,7 @@ int Run(const Arguments& arguments) {
   }
   const pf::SystemConfig config = pf::LoadSystemConfig(files);
   Source source = OpenSource(arguments);
+  const Odometry odometry = OpenOdometry(arguments, config, source.simulation.get());
   const auto keypoints = OpenKeypoints(arguments, std::move(source.own_keypoints));
   auto frames = std::make_unique<pf::PrefetchedSource>(std::move(source.frames));
   pf::CatchInterrupts();
@@ -148,12 +190,12 @@ int Run(const Arguments& arguments) {
   hooks.on_error = [&](const std::string& text) { progress.Print("run_dataset: " + text); };
   hooks.on_note = hooks.on_error;
   if (arguments.save_masks) hooks.on_mask = pf::MaskWriter(arguments.out + "/masks");
-  const pf::OfflineRun run =
-      pf::RunOffline(*frames, config, arguments.num_threads, hooks, keypoints.get());
+  const pf::OfflineRun run = pf::RunOffline(*frames, config, arguments.num_threads, hooks,
+                                            keypoints.get(), odometry.source.get());
   progress.Finish();
   frames.reset();  // ends its thread
   if (pf::interrupted) std::fprintf(stderr, "run_dataset: interrupted, saving what there is\n");
-  pf::WriteRunOutput(run, config, arguments.out);
+  pf::WriteRunOutput(run, config, odometry.name, arguments.out);
   if (source.simulation) source.simulation->WriteTruth(arguments.out + "/truth");
   PrintSummary(run, arguments.out);
   if (keypoints) PrintKeypoints(run, keypoints->counts());
@@ -186,6 +228,9 @@ int main(int argc, char** argv) {
   app.add_option("--keypoint-delay", arguments.delivery.delay_s,
                  "lets keypoints arrive so many seconds later, in the time of the images")
       ->check(CLI::Range(0.0, 100.0));
+  app.add_option("--odometry", arguments.odometry,
+                 "poses of the camera in the odometry frame, TUM format, or 'none' (default: "
+                 "SOURCE/odometry_camera.txt if there is one, the simulated robot's own for sim:)");
   app.add_flag("--masks", arguments.save_masks, "writes what was taken for people to OUT/masks");
   app.add_option("--max-frames", arguments.max_frames, "ends after so many frames")
       ->check(CLI::PositiveNumber);

@@ -73,7 +73,8 @@ void PrepareOutputFolder(const std::string& folder) {
   std::filesystem::remove(probe, error);
 }
 
-std::string ReportJson(const OfflineRun& run, const SystemConfig& config) {
+std::string ReportJson(const OfflineRun& run, const SystemConfig& config,
+                       const std::string& odometry) {
   Json report;
   report["frames"] = {{"total", run.frames.size()},
                       {"dropped_blur", run.Count(FrameState::kDroppedBlur)},
@@ -84,6 +85,10 @@ std::string ReportJson(const OfflineRun& run, const SystemConfig& config) {
                          {"used", run.keypoints.used},
                          {"unmatched", run.keypoints.unmatched}};
   report["frames"]["with_people"] = run.num_frames_with_people;
+  const auto priors = [&](PriorUse use) { return run.priors.count(use) ? run.priors.at(use) : 0; };
+  report["odometry_prior"] = {{"used", priors(PriorUse::kUsed)},
+                              {"contradicted", priors(PriorUse::kContradicted)},
+                              {"distrusted", priors(PriorUse::kDistrusted)}};
   report["keyframes"] = 0;
   report["loops"] = {{"local", 0}, {"global", 0}};
   report["relocalisations"] = 0;
@@ -96,17 +101,19 @@ std::string ReportJson(const OfflineRun& run, const SystemConfig& config) {
   report["wall_s"] = Rounded(run.wall_s);
   report["peak_rss_mb"] = Rounded(PeakRssMb());
   report["config"] = ToJson(ToYaml(config));
+  report["config"]["odometry"] = odometry;
   report["version"] = POSEFUSION_VERSION;
   return report.dump(2) + "\n";
 }
 
-void WriteRunOutput(const OfflineRun& run, const SystemConfig& config, const std::string& folder) {
+void WriteRunOutput(const OfflineRun& run, const SystemConfig& config, const std::string& odometry,
+                    const std::string& folder) {
   const std::vector<std::function<void()>> files = {
       [&] { WriteTrajectory(run.trajectory, folder + "/trajectory.txt"); },
       [&] { WriteTrajectory(run.trajectory_live, folder + "/trajectory_live.txt"); },
       [&] { WriteFileAtomically(folder + "/frames.txt", FramesText(run)); },
       [&] { WritePly(run.map, folder + "/map.ply"); },
-      [&] { WriteFileAtomically(folder + "/report.json", ReportJson(run, config)); }};
+      [&] { WriteFileAtomically(folder + "/report.json", ReportJson(run, config, odometry)); }};
   std::exception_ptr first_error;
   for (const auto& write : files) {
     try {

@@ -11,11 +11,14 @@ namespace posefusion {
 void PrepareOutputFolder(const std::string& folder);
 
 /// Writes trajectory.txt, trajectory_live.txt, frames.txt, map.ply and report.json. Every file that
-/// can be written is written. @throws std::runtime_error naming the first that could not.
-void WriteRunOutput(const OfflineRun& run, const SystemConfig& config, const std::string& folder);
+/// can be written is written. `odometry` names where odometry came from, "none" for none.
+/// @throws std::runtime_error naming the first that could not.
+void WriteRunOutput(const OfflineRun& run, const SystemConfig& config, const std::string& odometry,
+                    const std::string& folder);
 
 /// report.json as text.
-std::string ReportJson(const OfflineRun& run, const SystemConfig& config);
+std::string ReportJson(const OfflineRun& run, const SystemConfig& config,
+                       const std::string& odometry);
 
 /// Writes person masks (CV_8UC1) as <stamp>.png into `folder`, which is made.
 /// @throws std::runtime_error naming what cannot be written, at once or when called.

@@ -53,6 +53,21 @@ TEST(Lie, AdjointMovesTwistThroughPose) {
   }
 }
 
+TEST(Lie, CovarianceBesideIsThatOfThePointThatMovesAlong) {
+  std::mt19937 random(4);
+  const Matrix6d root = Matrix6d::NullaryExpr([&] { return RandomTwist(random, 0.001)[0]; });
+  const Matrix6d covariance = root * root.transpose();
+  const Eigen::Vector3d lever(0.3, -0.2, 0.5);
+  // Columns of the root are perturbations whose mean square is the covariance.
+  Matrix6d expected = Matrix6d::Zero();
+  for (int i = 0; i < 6; ++i) {
+    Vector6d moved = root.col(i);
+    moved.head<3>() += Eigen::Vector3d(moved.tail<3>()).cross(lever);
+    expected += moved * moved.transpose();
+  }
+  EXPECT_LT((CovarianceBeside(covariance, lever) - expected).norm(), 1e-6 * expected.norm());
+}
+
 TEST(Lie, SkewIsCrossProduct) {
   const Eigen::Vector3d a(1, -2, 3);
   const Eigen::Vector3d b(0.5, 4, -1);

@@ -51,6 +51,36 @@ TEST(Slam, StartsLevelAtTheOrigin) {
                   .isApprox(-Eigen::Vector3d::UnitZ()));
 }
 
+TEST(Slam, StartsAtTheGivenPoseAndAgainAfterAReset) {
+  Eigen::Isometry3d start(Eigen::Translation3d(1, -2, 1.5));
+  start.linear() = SwayingPose(5).linear();
+  Slam slam(SlamConfig(), kTwoThreads);
+  slam.SetStartPose(start);
+  RenderedSource source(3);
+  EXPECT_TRUE(slam.ProcessFrame(*source.Next()).tracking.T_map_camera.isApprox(start));
+  EXPECT_TRUE(slam.ProcessFrame(*source.Next()).HasPose());
+  EXPECT_LT(TranslationError(slam.trajectory(), 1), 0.01);
+  slam.Reset();
+  EXPECT_TRUE(slam.ProcessFrame(*source.Next()).tracking.T_map_camera.isApprox(start));
+}
+
+TEST(Slam, AdoptsTheDepthCutOffWhileItRuns) {
+  Slam slam(SlamConfig(), kTwoThreads);
+  RenderedSource source(3);
+  slam.ProcessFrame(*source.Next());
+  SlamConfig near;
+  near.pyramid.max_depth_m = 0.5;  // nothing of the room is that near
+  near.tracking.min_valid_ratio = 1;
+  slam.Adopt(near);
+  EXPECT_FALSE(slam.ProcessFrame(*source.Next()).HasPose());
+  EXPECT_EQ(slam.config().tracking.min_valid_ratio, SlamConfig().tracking.min_valid_ratio);
+  SlamConfig impossible;
+  impossible.pyramid.max_depth_m = -1;
+  EXPECT_THROW(slam.Adopt(impossible), std::invalid_argument);
+  slam.Adopt(SlamConfig());
+  EXPECT_TRUE(slam.ProcessFrame(*source.Next()).HasPose());
+}
+
 TEST(Slam, FramesWithoutDepthAreLostAndTheNextIsFound) {
   Slam slam(SlamConfig(), kTwoThreads);
   RenderedSource source(20);
@@ -183,6 +213,41 @@ TEST(Slam, ModelImageShowsTheRoom) {
   cv::Mat difference;
   cv::absdiff(slam.ModelImage(), last.rgb, difference);
   EXPECT_LT(cv::mean(difference.reshape(1))[0], 12);  // grey levels
+}
+
+TEST(Slam, AJumpOfOdometryIsContradictedOnceAndDoesNoHarm) {
+  constexpr int kJump = 10;
+  SlamConfig config;
+  Slam slam(config, kTwoThreads);
+  RenderedSource source(40);
+  for (int i = 0; i < 40; ++i) {
+    // The origin of the odometry frame is anywhere.
+    const Eigen::Isometry3d T_odom_map =
+        ExpSE3((Vector6d() << (i < kJump ? 7 : 8), -2, 0, 0, 0, 1).finished());
+    FrameHints hints;
+    hints.T_odom_camera = T_odom_map * SwayingPose(i);
+    const PriorUse use = slam.ProcessFrame(*source.Next(), {}, hints).tracking.prior;
+    const bool distrusted = i > kJump && i <= kJump + config.tracking.prior.regain_frames;
+    EXPECT_EQ(use, i == 0       ? PriorUse::kNone
+                   : i == kJump ? PriorUse::kContradicted
+                   : distrusted ? PriorUse::kDistrusted
+                                : PriorUse::kUsed)
+        << i;
+    EXPECT_LT(TranslationError(slam.trajectory(), i), 0.01) << i;
+  }
+}
+
+TEST(Slam, OdometryMayBeMissingNowAndThen) {
+  Slam slam(SlamConfig(), kTwoThreads);
+  RenderedSource source(12);
+  for (int i = 0; i < 12; ++i) {
+    FrameHints hints;
+    if (i % 4 != 3) hints.T_odom_camera = SwayingPose(i);
+    const FrameResult result = slam.ProcessFrame(*source.Next(), {}, hints);
+    EXPECT_TRUE(result.HasPose());
+    const bool is_known = i % 4 == 1 || i % 4 == 2;  // in this frame and in the one before
+    EXPECT_EQ(result.tracking.prior, is_known ? PriorUse::kUsed : PriorUse::kNone) << i;
+  }
 }
 
 }  // namespace

@@ -77,6 +77,17 @@ TEST_F(BadInput, UnusableImagesAreRefusedByNameAndGoodOnesGoOn) {
   ExpectTracked(Good());
 }
 
+TEST_F(BadInput, CameraInfoThatDoesNotFitTheImageIsRefused) {
+  ExpectTracked(Good());
+  RgbdMessages smaller = Good();
+  auto info = boost::make_shared<sensor_msgs::CameraInfo>(*smaller.info);
+  info->width /= 2;
+  info->height /= 2;
+  smaller.info = info;
+  ExpectRefused(smaller, "/sharp/rgb/camera_info");
+  ExpectTracked(Good());
+}
+
 TEST_F(BadInput, MissingCameraInfoIsToldAndRecoveredFrom) {
   for (int i = 0; i < 15; ++i) {
     RgbdMessages frame = Good();

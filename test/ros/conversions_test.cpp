@@ -151,12 +151,11 @@ TEST(Conversions, DistortionModelDoesNotMatterWithoutDistortion) {
 }
 
 TEST(Conversions, PoseAndCovarianceKeepTheirOrder) {
-  TrackingResult tracking;
-  tracking.T_map_camera.translation() = Eigen::Vector3d(1, 2, 3);
-  tracking.T_map_camera.linear() =
-      Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  for (int i = 0; i < 36; ++i) tracking.covariance(i / 6, i % 6) = i;
-  const auto pose = ToPoseWithCovariance(tracking);
+  Eigen::Isometry3d T(Eigen::Translation3d(1, 2, 3));
+  T.rotate(Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()));
+  Matrix6d covariance;
+  for (int i = 0; i < 36; ++i) covariance(i / 6, i % 6) = i;
+  const auto pose = ToPoseWithCovariance(T, covariance);
   EXPECT_EQ(pose.pose.position.z, 3);
   EXPECT_NEAR(pose.pose.orientation.w, std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(pose.pose.orientation.z, std::sqrt(0.5), 1e-12);

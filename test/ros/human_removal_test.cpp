@@ -284,7 +284,7 @@ TEST_F(HumanRemovalGraph, DrawsForThoseWhoListen) {
   ASSERT_TRUE(overlay.WaitForSize(1) && markers.WaitForSize(1));
   EXPECT_EQ(overlay.messages()[0]->encoding, "rgb8");
   EXPECT_EQ(markers.messages()[0]->markers.size(), 3U);
-  EXPECT_EQ(markers.messages()[0]->markers[1].header.stamp, ToRosTime(person.frame.stamp_ns));
+  EXPECT_TRUE(markers.messages()[0]->markers[1].header.stamp.isZero());
 }
 
 TEST_F(HumanRemovalGraph, WrongParametersStopTheStart) {

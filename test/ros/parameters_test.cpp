@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "posefusion/pipeline/system_config.h"
 #include "posefusion_ros/nodelets/blur_filter_config.h"
 #include "posefusion_ros/nodelets/human_removal_config.h"
 #include "posefusion_ros/nodelets/mapping_config.h"
@@ -34,13 +35,13 @@ TEST(Parameters, XmlRpcTreeBecomesYaml) {
   XmlRpc::XmlRpcValue value;
   value["ros"]["queue_size"] = 7;
   value["ros"]["path_period_s"] = 0.1;
-  value["ros"]["publish_tf"] = false;
+  value["ros"]["tf"]["publish"] = false;
   value["ros"]["output_dir"] = std::string("/tmp/with space: and colon");
   MappingRosConfig config;
   ApplyYaml(ToYamlNode(value, "/mapping")["ros"], "/mapping.ros", config);
   EXPECT_EQ(config.queue_size, 7);
   EXPECT_EQ(config.path_period_s, 0.1);
-  EXPECT_FALSE(config.publish_tf);
+  EXPECT_FALSE(config.tf.publish);
   EXPECT_EQ(config.output_dir, "/tmp/with space: and colon");
 }
 
@@ -57,6 +58,16 @@ TEST(Parameters, UnknownKeysAndValuesOutOfRangeNameTheFullKey) {
   too_big["ros"]["num_threads"] = 1000;
   EXPECT_THAT([&] { apply(too_big); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("/mapping.ros.num_threads")));
+}
+
+TEST(Parameters, FramesOfHrp4AreAFileOfDifferences) {
+  const YAML::Node node = LoadYamlFile(kConfigDir + "/hrp4.yaml");
+  MappingConfig config;
+  ApplyYaml(node["mapping"], "mapping", config);
+  EXPECT_EQ(config.frames.odom_frame, "odom_init");
+  EXPECT_EQ(config.frames.base_frame, "BODY");
+  EXPECT_EQ(node.size(), 1U);
+  EXPECT_NO_THROW(LoadSystemConfig({kConfigDir + "/hrp4.yaml"}));
 }
 
 TEST(Parameters, ShippedMappingFilesHoldEveryKeyWithItsDefault) {

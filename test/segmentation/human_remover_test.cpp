@@ -60,6 +60,25 @@ TEST(HumanRemover, CarriesPeopleOnWhileNoKeypointsCome) {
   EXPECT_NEAR(*cuts.back().mask_age_s, 0.033 * (kLast - 5), 1e-6);
 }
 
+TEST(HumanRemover, AdoptsValuesWithoutForgettingAnybody) {
+  HumanRemover remover{HumanRemovalConfig()};
+  CutFrames(remover, 6, kOnTime);
+  HumanRemovalConfig changed;
+  changed.min_cut.sigma_m = 0.3;
+  changed.history_s = 9;
+  remover.Adopt(changed);
+  EXPECT_EQ(remover.config().min_cut.sigma_m, 0.3);
+  EXPECT_EQ(remover.config().history_s, HumanRemovalConfig().history_s) << "is not for changing";
+  ExpectFound(remover.Process(MovingPerson().FrameAt(6), {}), 6);
+  changed.min_cut.sigma_m = -1;
+  EXPECT_THROW(remover.Adopt(changed), std::invalid_argument);
+  EXPECT_EQ(remover.config().min_cut.sigma_m, 0.3);
+  changed.min_cut.sigma_m = 0.3;
+  changed.policy = KeypointPolicy::kPass;
+  remover.Adopt(changed);
+  EXPECT_EQ(cv::countNonZero(remover.Process(MovingPerson().FrameAt(7), {}).mask), 0);
+}
+
 TEST(HumanRemover, LateKeypointsAreCarriedToThePresent) {
   constexpr int kDelay = 9;
   HumanRemover remover{HumanRemovalConfig()};

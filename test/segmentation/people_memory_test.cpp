@@ -49,6 +49,16 @@ TEST_F(PeopleMemoryTest, ForgetsMoreOnALargePlane) {
   EXPECT_LT(After(0.8F, person_), elsewhere);
 }
 
+TEST_F(PeopleMemoryTest, ForgetsNothingOfABodyWhoseTrunkWasNotFound) {
+  seen_.cuts.front().trunk = 0;
+  EXPECT_EQ(After(0.8F, person_), 0.8F);
+  seen_.cuts.front().trunk = 0.4F;
+  const float little = After(0.8F, person_);
+  seen_.cuts.front().trunk = 1;
+  EXPECT_LT(After(0.8F, person_), little);
+  EXPECT_LT(little, 0.8F);
+}
+
 TEST_F(PeopleMemoryTest, BelievesMoreAtASeed) {
   seen_.cuts.front().cells.setTo(255);
   const float near = After(-1, kNobody);

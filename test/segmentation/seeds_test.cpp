@@ -70,6 +70,25 @@ TEST(LiftPerson, DropsAnUncertainJointThatIsNearerThanTheBody) {
   EXPECT_FALSE(LiftPerson(joints, frame, JointsOnly()).found[kRightKnee]);
 }
 
+/// A camera that looks down on somebody: the feet are more than a metre farther than the head.
+TEST(LiftPerson, FollowsABodyAwayFromTheCamera) {
+  const SyntheticScene scene;
+  RgbdFrame frame = scene.Render();
+  for (int v = 0; v < frame.depth_m.rows; ++v) {
+    frame.depth_m.row(v).setTo(0.9F + 1.6F * static_cast<float>(v) / 479);
+  }
+  Skeleton joints{};
+  joints[kNose] = {320, 60, 0.8F};
+  joints[kNeck] = {320, 120, 0.8F};
+  joints[kRightHip] = {310, 250, 0.8F};
+  joints[kRightKnee] = {310, 350, 0.8F};
+  joints[kRightAnkle] = {310, 430, 0.8F};
+  const PersonSeeds person = LiftPerson(joints, frame, JointsOnly());
+  EXPECT_EQ(person.num_joints, 5);
+  joints[kRightAnkle].p = 0.2F;  // hidden, most likely
+  EXPECT_FALSE(LiftPerson(joints, frame, JointsOnly()).found[kRightAnkle]);
+}
+
 TEST(LiftPerson, DropsJointsWithoutDepthAndWithLittleConfidence) {
   const SyntheticScene scene;
   RgbdFrame frame = scene.Render();

@@ -88,8 +88,9 @@ TEST(FolderWriter, WritesTheSameFilesForAnyNumberOfThreads) {
   EXPECT_EQ(one, Contents(folder / "two"));
   for (const char* name :
        {"rgb.txt", "depth.txt", "camera.yaml", "groundtruth.txt", "groundtruth_body.txt",
-        "odometry.txt", "imu.txt", "joint_states.txt", "tf.txt", "blur.txt", "events.txt",
-        "moved_objects.txt", "people_capsules.txt", "world.ply", "simulation.yaml",
+        "odometry.txt", "odometry_camera.txt", "imu.txt", "joint_states.txt", "tf.txt",
+        "blur.txt", "events.txt", "moved_objects.txt", "people_capsules.txt", "world.ply",
+        "simulation.yaml",
         "rgb/1000000000.000000.png", "labels/1000000000.000000.png",
         "keypoints/1000000000.000000.json", "joints/1000000000.000000.json"}) {
     EXPECT_EQ(one.count(name), 1u) << name;

@@ -71,6 +71,34 @@ TEST_F(RunDataset, WritesTrajectoriesMapAndReport) {
   }
 }
 
+TEST_F(RunDataset, TakesOdometryFromFileOrFolderAndSaysWhatBecameOfIt) {
+  Trajectory odometry;
+  for (int n = 0; n < kFrames; ++n) {
+    odometry.push_back({1'000'000'000 + n * testing::kRenderedInterval, testing::SwayingPose(n)});
+  }
+  WriteTrajectory(odometry, folder_ / "odometry.txt");
+  const auto report = [&](const std::string& out) {
+    return nlohmann::json::parse(ReadWholeFile((folder_ / out) + "/report.json"));
+  };
+  ASSERT_EQ(RunInto("none"), 0);
+  EXPECT_EQ(report("none")["config"]["odometry"], "none");
+  EXPECT_EQ(report("none")["odometry_prior"]["used"], 0);
+  ASSERT_EQ(RunInto("file", "--odometry " + (folder_ / "odometry.txt")), 0);
+  EXPECT_EQ(report("file")["config"]["odometry"], folder_ / "odometry.txt");
+  EXPECT_EQ(report("file")["odometry_prior"]["used"], kFrames - 1);
+  WriteTrajectory(odometry, folder_ / "data/odometry_camera.txt");
+  ASSERT_EQ(RunInto("own"), 0);
+  EXPECT_EQ(report("own")["odometry_prior"]["used"], kFrames - 1);
+  ASSERT_EQ(RunInto("own_off", "--odometry none"), 0);
+  EXPECT_EQ(report("own_off")["config"]["odometry"], "none");
+  ASSERT_EQ(RunInto("ef", "--preset ef"), 0);
+  EXPECT_EQ(report("ef")["config"]["odometry"], "none");
+  EXPECT_EQ(RunInto("ef", "--preset ef --odometry " + (folder_ / "odometry.txt")), 1);
+  EXPECT_TRUE(LogHas("mapping.tracking.prior.enabled")) << ReadWholeFile(folder_ / "log");
+  EXPECT_EQ(RunInto("missing", "--odometry " + (folder_ / "nowhere.txt")), 1);
+  EXPECT_TRUE(LogHas("nowhere.txt"));
+}
+
 TEST_F(RunDataset, SameBytesTwiceAndForAnyNumberOfThreads) {
   ASSERT_EQ(RunInto("a", "--threads 1"), 0);
   ASSERT_EQ(RunInto("b", "--threads 2"), 0);

@@ -61,6 +61,14 @@ class TrackerTest : public ::testing::Test {
     return tracker_->Track(pyramid_, view_, parallel_);
   }
 
+  /// A prior that is certain to a centimetre and a hundredth of a radian.
+  static MotionPrior PriorOf(const Vector6d& motion) {
+    MotionPrior prior;
+    prior.T_last_camera = ExpSE3(motion);
+    prior.covariance = 1e-4 * Matrix6d::Identity();
+    return prior;
+  }
+
   static void ExpectPose(const TrackingResult& result, const Eigen::Isometry3d& pose) {
     const Vector6d error = LogSE3(pose.inverse() * result.T_map_camera);
     EXPECT_EQ(result.health, TrackingHealth::kGood) << result.failure;
@@ -191,6 +199,66 @@ TEST_F(TrackerTest, BrightnessMayChange) {
   frame.rgb.convertTo(frame.rgb, -1, 1.0, 15);
   builder_.Build(frame, {}, parallel_, pyramid_);
   ExpectPose(tracker_->Track(pyramid_, view_, parallel_), Moved(twist));
+}
+
+TEST_F(TrackerTest, AWrongPriorChangesNoBit) {
+  const RenderedRoom room = RenderedRoom::Furnished();
+  const Vector6d twist = (Vector6d() << 0.02, 0.01, 0, 0.01, 0.01, 0).finished();
+  Start(room, kStart);
+  const Eigen::Isometry3d without = Track(room, Moved(twist)).T_map_camera;
+  Start(room, kStart);
+  const Vector6d wrong = twist + (Vector6d() << 0.2, 0, 0, 0, 0, 0).finished();
+  Prepare(room, Moved(twist));
+  const TrackingResult with = tracker_->Track(pyramid_, view_, parallel_, PriorOf(wrong));
+  EXPECT_EQ(with.prior, PriorUse::kContradicted);
+  EXPECT_EQ(with.T_map_camera.matrix(), without.matrix());
+  EXPECT_FALSE(tracker_->TrustsPriors());
+}
+
+TEST_F(TrackerTest, PriorsAreUsedAgainAfterEnoughThatAgree) {
+  const RenderedRoom room = RenderedRoom::Furnished();
+  TrackingConfig config = SmallImages();
+  config.prior.regain_frames = 2;
+  Start(room, kStart, config);
+  std::vector<PriorUse> uses;
+  for (const double error_m : {0.0, 0.3, 0.0, 0.0, 0.0}) {
+    Prepare(room, kStart);
+    const Vector6d motion = (Vector6d() << error_m, 0, 0, 0, 0, 0).finished();
+    uses.push_back(tracker_->Track(pyramid_, view_, parallel_, PriorOf(motion)).prior);
+  }
+  EXPECT_EQ(uses,
+            (std::vector<PriorUse>{PriorUse::kUsed, PriorUse::kContradicted, PriorUse::kDistrusted,
+                                   PriorUse::kDistrusted, PriorUse::kUsed}));
+}
+
+TEST_F(TrackerTest, ThePriorDecidesWhereTheImagesSayNothing) {
+  RenderedRoom wall = RenderedRoom::Wall(1.5);
+  wall.SetTextured(false);
+  const auto pose = LookAlong({0, 0, 0}, 0, 0);
+  const Vector6d sideways = (Vector6d() << 0.03, 0, 0, 0, 0, 0).finished();
+  Start(wall, pose);
+  Prepare(wall, pose * ExpSE3(sideways));
+  const TrackingResult result = tracker_->Track(pyramid_, view_, parallel_, PriorOf(sideways));
+  ASSERT_NE(result.health, TrackingHealth::kFailed) << result.failure;
+  EXPECT_EQ(result.prior, PriorUse::kUsed);
+  const Vector6d error = LogSE3((pose * ExpSE3(sideways)).inverse() * result.T_map_camera);
+  EXPECT_LT(error.head<3>().norm(), kMaxTranslationError);
+  EXPECT_NEAR(std::sqrt(result.covariance(1, 1)), 0.01, 0.001) << "as uncertain as the prior";
+}
+
+TEST_F(TrackerTest, WhatPriorsAloneSayGetsLessCertainWithEveryFrame) {
+  RenderedRoom wall = RenderedRoom::Wall(1.5);
+  wall.SetTextured(false);
+  const auto pose = LookAlong({0, 0, 0}, 0, 0);
+  Start(wall, pose);
+  double variance_m2 = 0;
+  for (int i = 1; i <= 3; ++i) {
+    Prepare(wall, pose);
+    const TrackingResult result =
+        tracker_->Track(pyramid_, view_, parallel_, PriorOf(Vector6d::Zero()));
+    EXPECT_GT(result.covariance(1, 1), variance_m2 + 0.5e-4) << i;
+    variance_m2 = result.covariance(1, 1);
+  }
 }
 
 }  // namespace

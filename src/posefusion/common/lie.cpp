@@ -67,6 +67,12 @@ Matrix6d AdjointSE3(const Eigen::Isometry3d& T) {
   return adjoint;
 }
 
+/// A small turn about one point moves another by turn x lever.
+Matrix6d CovarianceBeside(const Matrix6d& covariance, const Eigen::Vector3d& lever_m) {
+  const Matrix6d J = AdjointSE3(Eigen::Isometry3d(Eigen::Translation3d(-lever_m)));
+  return J * covariance * J.transpose();
+}
+
 Eigen::Isometry3d Orthonormalized(const Eigen::Isometry3d& T) {
   Eigen::Isometry3d result = T;
   result.linear() = Eigen::Quaterniond(T.linear()).normalized().toRotationMatrix();

@@ -27,6 +27,10 @@ Vector6d LogSE3(const Eigen::Isometry3d& T);
 /// T * ExpSE3(x) * T^-1 = ExpSE3(AdjointSE3(T) * x).
 Matrix6d AdjointSE3(const Eigen::Isometry3d& T);
 
+/// Covariance of a pose for perturbations in the axes of the map, order (translation, rotation), at
+/// a point of the moving body that lies `lever_m` (map axes) beside the one of `covariance`.
+Matrix6d CovarianceBeside(const Matrix6d& covariance, const Eigen::Vector3d& lever_m);
+
 /// Same pose with its rotation made orthonormal again.
 Eigen::Isometry3d Orthonormalized(const Eigen::Isometry3d& T);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 #include <vector>
 
 #include "posefusion/common/stamp.h"
@@ -25,5 +26,10 @@ std::vector<StampNs> StampsOf(const Trajectory& trajectory);
 /// The pose whose stamp is nearest to the given one; null when none is within `max_difference_s`.
 const StampedPose* NearestPose(const Trajectory& trajectory, StampNs stamp_ns,
                                double max_difference_s);
+
+/// The pose at a moment between two poses (position and rotation move evenly); nothing before the
+/// first, after the last, and between poses more than `max_gap_s` apart.
+std::optional<Eigen::Isometry3d> InterpolatedPose(const Trajectory& trajectory, StampNs stamp_ns,
+                                                  double max_gap_s);
 
 }  // namespace posefusion

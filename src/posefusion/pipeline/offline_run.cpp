@@ -15,9 +15,10 @@ namespace {
 class Runner {
  public:
   Runner(const SystemConfig& config, bool has_keypoints, int num_threads,
-         const OfflineRunHooks& hooks, OfflineRun& run)
+         const OdometrySource* odometry, const OfflineRunHooks& hooks, OfflineRun& run)
       : blur_filter_(config.blur_filter),
         slam_(config.mapping, num_threads),
+        odometry_(odometry),
         hooks_(hooks),
         run_(run) {
     if (has_keypoints && config.human_removal.enabled) {
@@ -35,11 +36,12 @@ class Runner {
       Record(frame.stamp_ns, FrameState::kDroppedBlur, clock_.times());
       return;
     }
-    const FrameResult result = slam_.ProcessFrame(frame, FindPeople(frame));
+    const FrameResult result = slam_.ProcessFrame(frame, FindPeople(frame), HintsFor(frame));
     std::vector<StageTime> times = clock_.times();
     times.insert(times.end(), result.stage_times.begin(), result.stage_times.end());
     if (result.HasPose()) {
       run_.trajectory_live.push_back({frame.stamp_ns, result.tracking.T_map_camera});
+      ++run_.priors[result.tracking.prior];
     }
     Record(frame.stamp_ns, result.HasPose() ? FrameState::kTracked : FrameState::kLost, times);
   }
@@ -67,6 +69,12 @@ class Runner {
     return {cut.mask, frame.depth_m};
   }
 
+  FrameHints HintsFor(const RgbdFrame& frame) const {
+    FrameHints hints;
+    if (odometry_ != nullptr) hints.T_odom_camera = odometry_->PoseAt(frame.stamp_ns);
+    return hints;
+  }
+
   void Record(StampNs stamp_ns, FrameState state, const std::vector<StageTime>& times) {
     run_.frames.push_back({stamp_ns, state});
     double total = 0;
@@ -81,6 +89,7 @@ class Runner {
   std::optional<HumanRemover> human_remover_;
   std::vector<Skeletons> waiting_;  ///< keypoints that arrived since the last frame that was kept
   Slam slam_;
+  const OdometrySource* odometry_;  ///< null = none
   const OfflineRunHooks& hooks_;
   StageClock clock_;
   OfflineRun& run_;
@@ -142,11 +151,12 @@ int OfflineRun::Count(FrameState state) const {
 }
 
 OfflineRun RunOffline(FrameSource& source, const SystemConfig& config, int num_threads,
-                      const OfflineRunHooks& hooks, SkeletonSource* skeletons) {
+                      const OfflineRunHooks& hooks, SkeletonSource* skeletons,
+                      const OdometrySource* odometry) {
   CheckRanges("", config);
   const auto start = std::chrono::steady_clock::now();
   OfflineRun run;
-  Runner runner(config, skeletons != nullptr, num_threads, hooks, run);
+  Runner runner(config, skeletons != nullptr, num_threads, odometry, hooks, run);
   while (const auto frame = NextGood(source, hooks, run)) {
     const std::vector<Skeletons> arrived =
         ArrivedBy(*frame, skeletons, config.human_removal, hooks, run);

@@ -7,10 +7,12 @@
 
 #include "posefusion/common/trajectory.h"
 #include "posefusion/dataset/frame_source.h"
+#include "posefusion/dataset/odometry_source.h"
 #include "posefusion/pipeline/system_config.h"
 #include "posefusion/segmentation/human_remover.h"
 #include "posefusion/skeleton/skeleton_source.h"
 #include "posefusion/surfel/surfel_cloud.h"
+#include "posefusion/tracking/tracking_result.h"
 
 namespace posefusion {
 
@@ -39,6 +41,7 @@ struct OfflineRun {
   int num_keypoints = 0;            ///< images whose keypoints arrived during the run
   KeypointCounts keypoints;         ///< what human removal did with them
   int num_frames_with_people = 0;   ///< somebody was cut out
+  std::map<PriorUse, int> priors;   ///< what became of odometry, tracked frames
 
   int Count(FrameState state) const;
 };
@@ -57,8 +60,10 @@ struct OfflineRunHooks {
 /// same result bit by bit for any number of threads. Frames that cannot be read or used are
 /// reported and left out; keypoints that cannot be read are reported and missing.
 /// `skeletons` gives the keypoints of people, at the times of the image stamps; null = none.
+/// `odometry` is where a robot believes its camera is; null = none.
 /// @throws std::invalid_argument naming the key of a value out of range.
 OfflineRun RunOffline(FrameSource& source, const SystemConfig& config, int num_threads,
-                      const OfflineRunHooks& hooks = {}, SkeletonSource* skeletons = nullptr);
+                      const OfflineRunHooks& hooks = {}, SkeletonSource* skeletons = nullptr,
+                      const OdometrySource* odometry = nullptr);
 
 }  // namespace posefusion

@@ -8,20 +8,12 @@
 
 #include "posefusion/common/parallel.h"
 #include "posefusion/image/rectifier.h"
+#include "posefusion/pipeline/start_pose.h"
 #include "posefusion/surfel/fusion.h"
+#include "posefusion/tracking/odometry_motion.h"
 #include "posefusion/tracking/tracker.h"
 
 namespace posefusion {
-namespace {
-
-/// Start pose: x forward, y left, z up (REP-103) for a level camera at the origin.
-Eigen::Isometry3d LevelCamera() {
-  Eigen::Isometry3d T_map_camera = Eigen::Isometry3d::Identity();
-  T_map_camera.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
-  return T_map_camera;
-}
-
-}  // namespace
 
 /// What lives as long as the camera and the map stay the same.
 struct Slam::State {
@@ -33,6 +25,7 @@ struct Slam::State {
     rectifier.reset();
     builder.emplace(config.pyramid, config.depth_noise);
     tracker.emplace(config.tracking, config.depth_noise);
+    odometry.emplace(config.tracking.prior);
     fuser.emplace(config.fusion, config.depth_noise);
     splatter.emplace(config.splat, config.depth_noise);
     map.emplace(config.surfel_map);
@@ -44,10 +37,12 @@ struct Slam::State {
 
   SlamConfig config;
   ParallelRunner parallel;
-  std::optional<CameraModel> camera;  ///< of the frames as they come in
+  Eigen::Isometry3d T_map_start = LevelStartPose();  ///< of the camera in the first frame
+  std::optional<CameraModel> camera;                 ///< of the frames as they come in
   std::optional<Rectifier> rectifier;
   std::optional<PyramidBuilder> builder;
   std::optional<Tracker> tracker;
+  std::optional<OdometryMotion> odometry;
   std::optional<Fuser> fuser;
   std::optional<Splatter> splatter;
   std::optional<SurfelMap> map;
@@ -60,9 +55,12 @@ struct Slam::State {
   void Check(const RgbdFrame& frame, const PeopleInFrame& people) const;
   void Rectify(const RgbdFrame& frame, const PeopleInFrame& people);
   void Prepare();
-  TrackingResult Track();
+  TrackingResult Track(const FrameHints& hints);
+  TrackingResult Follow(const std::optional<MotionPrior>& prior);
+  bool IsFar(const MotionPrior& prior) const;
   void FuseInto(const TrackingResult& tracking);
   void Predict();
+  void PredictFrom(const Eigen::Isometry3d& T_map_camera);
   double MotionWeight() const;
 
   RgbdFrame rectified;
@@ -98,10 +96,31 @@ void Slam::State::Prepare() {
   builder->Build(rectified, rectified_people, parallel, pyramid);
 }
 
-TrackingResult Slam::State::Track() {
+TrackingResult Slam::State::Track(const FrameHints& hints) {
   const auto scope = clock.Measure("track");
-  if (map->NumSurfels() == 0) return tracker->Start(pyramid, LevelCamera());
-  return tracker->Track(pyramid, view, parallel);
+  odometry->Advance(hints.T_odom_camera);
+  const TrackingResult result = map->NumSurfels() == 0 ? tracker->Start(pyramid, T_map_start)
+                                                       : Follow(odometry->SinceLastTracked());
+  if (result.health != TrackingHealth::kFailed) odometry->NoteTracked();
+  return result;
+}
+
+/// After a gap what the camera sees may hardly be in view from the last pose.
+TrackingResult Slam::State::Follow(const std::optional<MotionPrior>& prior) {
+  if (prior && tracker->TrustsPriors() && IsFar(*prior)) {
+    PredictFrom(tracker->T_map_camera() * prior->T_last_camera);
+    const TrackingResult result = tracker->Track(pyramid, view, parallel, prior);
+    if (result.health != TrackingHealth::kFailed) return result;
+  }
+  if (view.T_map_camera.matrix() != tracker->T_map_camera().matrix()) {
+    PredictFrom(tracker->T_map_camera());
+  }
+  return tracker->Track(pyramid, view, parallel, prior);
+}
+
+bool Slam::State::IsFar(const MotionPrior& prior) const {
+  return prior.T_last_camera.translation().norm() > config.tracking.prior.predict_m ||
+         LogSO3(prior.T_last_camera.linear()).norm() > config.tracking.prior.predict_rad;
 }
 
 double Slam::State::MotionWeight() const {
@@ -122,8 +141,12 @@ void Slam::State::FuseInto(const TrackingResult& tracking) {
 
 void Slam::State::Predict() {
   const auto scope = clock.Measure("predict");
+  PredictFrom(tracker->T_map_camera());
+}
+
+void Slam::State::PredictFrom(const Eigen::Isometry3d& T_map_camera) {
   const StampNs window = StampFromSeconds(config.fusion.time_window_s);
-  splatter->Render(*map, rectified.camera, tracker->T_map_camera(),
+  splatter->Render(*map, rectified.camera, T_map_camera,
                    map->FirstFrameSince(pyramid.stamp_ns - window), parallel, view);
   BuildIntensityLevels(config.pyramid.num_levels, parallel, view);
 }
@@ -135,7 +158,8 @@ Slam::Slam(const SlamConfig& config, int num_threads) {
 
 Slam::~Slam() = default;
 
-FrameResult Slam::ProcessFrame(const RgbdFrame& frame, const PeopleInFrame& people) {
+FrameResult Slam::ProcessFrame(const RgbdFrame& frame, const PeopleInFrame& people,
+                               const FrameHints& hints) {
   State& s = *state_;
   s.Check(frame, people);
   s.clock.Clear();
@@ -145,7 +169,7 @@ FrameResult Slam::ProcessFrame(const RgbdFrame& frame, const PeopleInFrame& peop
   s.Prepare();
   FrameResult result;
   result.stamp_ns = frame.stamp_ns;
-  result.tracking = s.Track();
+  result.tracking = s.Track(hints);
   if (result.HasPose()) {
     s.FuseInto(result.tracking);
     s.Predict();
@@ -154,6 +178,20 @@ FrameResult Slam::ProcessFrame(const RgbdFrame& frame, const PeopleInFrame& peop
   }
   result.stage_times = s.clock.times();
   return result;
+}
+
+void Slam::SetStartPose(const Eigen::Isometry3d& T_map_camera) {
+  state_->T_map_start = T_map_camera;
+}
+
+void Slam::Adopt(const SlamConfig& config) {
+  SlamConfig changed = state_->config;
+  changed.pyramid.min_depth_m = config.pyramid.min_depth_m;
+  changed.pyramid.max_depth_m = config.pyramid.max_depth_m;
+  changed.export_min_confidence = config.export_min_confidence;
+  CheckRanges("mapping", changed);
+  state_->config = changed;
+  state_->builder.emplace(changed.pyramid, changed.depth_noise);
 }
 
 void Slam::Reset() { state_->Clear(); }

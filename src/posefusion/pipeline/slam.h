@@ -1,7 +1,9 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <memory>
 #include <opencv2/core/mat.hpp>
+#include <optional>
 #include <vector>
 
 #include "posefusion/common/stage_clock.h"
@@ -13,6 +15,13 @@
 #include "posefusion/tracking/tracking_result.h"
 
 namespace posefusion {
+
+/// What is known about a frame besides its images.
+struct FrameHints {
+  /// The camera at the frame's stamp in a frame of odometry, whose origin does not matter. Missing
+  /// = not known; Slam itself forms the motion since the last tracked frame.
+  std::optional<Eigen::Isometry3d> T_odom_camera;
+};
 
 /// What became of one frame.
 struct FrameResult {
@@ -33,10 +42,21 @@ class Slam {
   ~Slam();
 
   /// Tracks and fuses one frame. `people` keeps pixels out of tracking and map, and cleans from the
-  /// map what was fused of people before anybody knew of them.
+  /// map what was fused of people before anybody knew of them. `hints` helps tracking as far as it
+  /// agrees with the images.
   /// @throws std::invalid_argument for images that do not fit each other, for a camera other than
   /// the first frame's, and for stamps that do not increase; the state is then unchanged.
-  FrameResult ProcessFrame(const RgbdFrame& frame, const PeopleInFrame& people = {});
+  FrameResult ProcessFrame(const RgbdFrame& frame, const PeopleInFrame& people = {},
+                           const FrameHints& hints = {});
+
+  /// Where the camera is in the first frame, the next one if the map is empty, and again after
+  /// Reset. LevelStartPose until somebody knows better.
+  void SetStartPose(const Eigen::Isometry3d& T_map_camera);
+
+  /// Takes over what may change while it runs: the depth limits of `pyramid` and
+  /// `export_min_confidence`; the rest of `config` is not looked at.
+  /// @throws std::invalid_argument naming the key for a value out of range; nothing changes then.
+  void Adopt(const SlamConfig& config);
 
   /// Forgets map, poses and camera; the next frame starts anew.
   void Reset();

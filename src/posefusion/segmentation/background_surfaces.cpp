@@ -19,7 +19,12 @@ constexpr int kNormalReach = 2;         ///< cells
 constexpr int kReachCells = 10;         ///< a plane is made of cells so close together
 constexpr int kScoreSamples = 400;      ///< points that a tried plane is scored with
 constexpr std::size_t kMinPoints = 50;  ///< of a plane
-constexpr float kMinCosine = 0.1F;      ///< flatter views say little of an area
+/// From frame to frame a plane moves by no more, metres and cosine of the turn.
+constexpr float kPlaneStep = 0.05F;
+constexpr float kPlaneTurn = 0.998F;
+constexpr double kRemembered = 0.35;     ///< m^2: no body has such a flat place
+constexpr double kLeastFollowed = 0.01;  ///< m^2 away from people that a plane still has
+constexpr float kMinCosine = 0.1F;       ///< flatter views say little of an area
 
 }  // namespace
 
@@ -27,24 +32,68 @@ BackgroundSurfaces::BackgroundSurfaces(const BackgroundSurfacesConfig& config)
     : config_(config), min_cosine_(static_cast<float>(std::cos(config.max_angle_rad))) {}
 
 void BackgroundSurfaces::Find(const CellGrid& cells, const std::vector<Eigen::Vector3f>& seeds,
+                              const cv::Mat& known_people, std::vector<Plane>& planes,
                               Grid<std::uint8_t>& background) {
   background.Resize(cells.width(), cells.height());
   background.Fill(0);
-  if (!config_.enabled || seeds.empty()) return;
+  if (!config_.enabled || seeds.empty()) {
+    planes.clear();
+    return;
+  }
   ComputeNormals(cells);
-  CollectCandidates(cells, seeds);
+  CollectCandidates(cells, seeds, known_people);
+  FollowPlanes(cells, planes, background);
   random_state_ = 1;
   for (int i = 0; i < config_.max_planes && points_.size() >= kMinPoints; ++i) {
     Plane plane = BestPlane(cells);
-    Refit(plane);
+    Refit(points_, 0, plane);
     const double area_m2 = AreaOn(plane, kSparse * cells.size_at_1m());
     TakeFrom(plane, cells);
     if (area_m2 >= config_.min_broken_area_m2) {
       TakeAll(plane, cells, background);
+      if (area_m2 >= kRemembered) planes.push_back(plane);
     } else if (area_m2 >= config_.min_area_m2) {
       Spread(plane, cells, background);
     }
   }
+}
+
+/// Finds a plane of the frame before again. False when it is hidden, out of the view or has moved
+/// by more than a camera moves it.
+bool BackgroundSurfaces::Follow(double cell_size_at_1m, Plane& plane) const {
+  const Plane before = plane;
+  for (const float slack_m : {kPlaneStep, kPlaneStep / 2, 0.0F}) {
+    Refit(all_points_, slack_m, plane);
+    if (plane.normal.dot(before.normal) < 0) {
+      plane.normal = -plane.normal;
+      plane.offset_m = -plane.offset_m;
+    }
+  }
+  return plane.normal.dot(before.normal) > kPlaneTurn &&
+         std::abs(plane.offset_m - before.offset_m) < 2 * kPlaneStep &&
+         AreaOn(plane, cell_size_at_1m) > kLeastFollowed;
+}
+
+void BackgroundSurfaces::FollowPlanes(const CellGrid& cells, std::vector<Plane>& planes,
+                                      Grid<std::uint8_t>& background) {
+  std::vector<Plane> followed;
+  for (Plane plane : planes) {
+    if (!Follow(kSparse * cells.size_at_1m(), plane)) continue;
+    TakeFrom(plane, cells);
+    TakeAll(plane, cells, background);
+    followed.push_back(plane);
+  }
+  planes.swap(followed);
+}
+
+void BackgroundSurfaces::Points::Clear() {
+  points.clear();
+  places.clear();
+}
+
+void BackgroundSurfaces::Points::Add(const Eigen::Vector3f& point, const cv::Point& place) {
+  points.push_back(point);
+  places.push_back(place);
 }
 
 /// From the cells kNormalReach to each side; none over a gap in depth.
@@ -68,9 +117,10 @@ void BackgroundSurfaces::ComputeNormals(const CellGrid& cells) {
 }
 
 void BackgroundSurfaces::CollectCandidates(const CellGrid& cells,
-                                           const std::vector<Eigen::Vector3f>& seeds) {
-  points_.clear();
-  places_.clear();
+                                           const std::vector<Eigen::Vector3f>& seeds,
+                                           const cv::Mat& known_people) {
+  points_.Clear();
+  all_points_.Clear();
   near_.Resize(cells.width(), cells.height());
   near_.Fill(kUnknown);
   const SeedDistance distance(seeds);
@@ -79,10 +129,10 @@ void BackgroundSurfaces::CollectCandidates(const CellGrid& cells,
     for (int x = 0; x < cells.width(); x += kSparse) {
       const Eigen::Vector3f point = cells.PointAt(x, y);
       if (point.z() <= 0) continue;
-      near_.at(x, y) = distance.IsWithin(point, far) ? kNearSeeds : kFarFromSeeds;
-      if (near_.at(x, y) == kNearSeeds) continue;
-      points_.push_back(point);
-      places_.emplace_back(x, y);
+      const bool is_known = !known_people.empty() && known_people.at<std::uint8_t>(y, x) != 0;
+      near_.at(x, y) = is_known || distance.IsWithin(point, far) ? kNearSeeds : kFarFromSeeds;
+      all_points_.Add(point, {x, y});
+      if (near_.at(x, y) == kFarFromSeeds) points_.Add(point, {x, y});
     }
   }
 }
@@ -94,8 +144,8 @@ int BackgroundSurfaces::Random(int end) {
 
 /// Plane through a candidate and two cells near it.
 bool BackgroundSurfaces::PlaneAround(const CellGrid& cells, int candidate, Plane& plane) {
-  const cv::Point place = places_[static_cast<std::size_t>(candidate)];
-  Eigen::Vector3f corners[3] = {points_[static_cast<std::size_t>(candidate)], {}, {}};
+  const cv::Point place = points_.places[static_cast<std::size_t>(candidate)];
+  Eigen::Vector3f corners[3] = {points_.points[static_cast<std::size_t>(candidate)], {}, {}};
   for (int i = 1; i < 3; ++i) {
     const cv::Point other(place.x + Random(2 * kReachCells + 1) - kReachCells,
                           place.y + Random(2 * kReachCells + 1) - kReachCells);
@@ -111,7 +161,7 @@ bool BackgroundSurfaces::PlaneAround(const CellGrid& cells, int candidate, Plane
   return true;
 }
 
-BackgroundSurfaces::Plane BackgroundSurfaces::BestPlane(const CellGrid& cells) {
+Plane BackgroundSurfaces::BestPlane(const CellGrid& cells) {
   Plane best;
   float best_score = 0;
   const std::size_t step = std::max<std::size_t>(1, points_.size() / kScoreSamples);
@@ -131,7 +181,8 @@ BackgroundSurfaces::Plane BackgroundSurfaces::BestPlane(const CellGrid& cells) {
 float BackgroundSurfaces::ScoreOf(const Plane& plane, std::size_t step) const {
   float score = 0;
   for (std::size_t i = 0; i < points_.size(); i += step) {
-    if (IsOn(plane, points_[i], NormalOf(i))) score += points_[i].z() * points_[i].z();
+    if (IsOn(plane, points_.points[i], NormalOf(points_, i)))
+      score += points_.points[i].z() * points_.points[i].z();
   }
   return score;
 }
@@ -141,8 +192,8 @@ double BackgroundSurfaces::AreaOn(const Plane& plane, double cell_size_at_1m) co
   double area = 0;
   std::size_t count = 0;
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    if (!IsOn(plane, points_[i], NormalOf(i))) continue;
-    const Eigen::Vector3f& point = points_[i];
+    if (!IsOn(plane, points_.points[i], NormalOf(points_, i))) continue;
+    const Eigen::Vector3f& point = points_.points[i];
     const double edge = cell_size_at_1m * static_cast<double>(point.z());
     const float cosine = std::abs(plane.normal.dot(point)) / point.norm();
     area += edge * edge / static_cast<double>(std::max(cosine, kMinCosine));
@@ -152,24 +203,23 @@ double BackgroundSurfaces::AreaOn(const Plane& plane, double cell_size_at_1m) co
 }
 
 bool BackgroundSurfaces::IsOn(const Plane& plane, const Eigen::Vector3f& point,
-                              const Eigen::Vector3f& normal) const {
+                              const Eigen::Vector3f& normal, float slack_m) const {
   if (std::abs(plane.normal.dot(normal)) < min_cosine_) return false;
   const float along_normal = plane.normal.dot(point);
   const float sigma = DepthSigma(noise_, point.z()) * std::abs(along_normal) / point.z();
   const float tolerance = std::max(static_cast<float>(config_.distance_m),
                                    static_cast<float>(config_.distance_sigmas) * sigma);
-  return std::abs(along_normal + plane.offset_m) < tolerance;
+  return std::abs(along_normal + plane.offset_m) < tolerance + slack_m;
 }
 
 /// Least squares over the points on the plane.
-void BackgroundSurfaces::Refit(Plane& plane) const {
+void BackgroundSurfaces::Refit(const Points& points, float slack_m, Plane& plane) const {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
   int count = 0;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    if (!IsOn(plane, points_[i], NormalOf(i))) continue;
-    const Eigen::Vector3f& point = points_[i];
-    const Eigen::Vector3d p = point.cast<double>();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!IsOn(plane, points.points[i], NormalOf(points, i), slack_m)) continue;
+    const Eigen::Vector3d p = points.points[i].cast<double>();
     sum += p;
     squares += p * p.transpose();
     ++count;
@@ -190,16 +240,16 @@ void BackgroundSurfaces::TakeFrom(const Plane& plane, const CellGrid& cells) {
   front_.clear();
   std::size_t kept = 0;
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    if (IsOn(plane, points_[i], NormalOf(i))) {
-      front_.push_back(places_[i]);
-      reached_.at(places_[i].x, places_[i].y) = 1;
+    if (IsOn(plane, points_.points[i], NormalOf(points_, i))) {
+      front_.push_back(points_.places[i]);
+      reached_.at(points_.places[i].x, points_.places[i].y) = 1;
       continue;
     }
-    points_[kept] = points_[i];
-    places_[kept++] = places_[i];
+    points_.points[kept] = points_.points[i];
+    points_.places[kept++] = points_.places[i];
   }
-  points_.resize(kept);
-  places_.resize(kept);
+  points_.points.resize(kept);
+  points_.places.resize(kept);
 }
 
 /// Every cell on the plane: arms on a table cut parts of it off.

@@ -6,6 +6,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "posefusion/image/rgbd_frame.h"
+#include "posefusion/segmentation/background_surfaces.h"
 #include "posefusion/segmentation/carried_people.h"
 #include "posefusion/segmentation/cell_grid.h"
 
@@ -20,6 +21,7 @@ struct PastFrame {
   cv::Mat grey;    ///< CV_8UC1, a pixel per cell
   cv::Mat motion;  ///< from the frame before (MotionField); empty for the first frame
   CellPeople people;
+  std::vector<Plane> planes;  ///< large background surfaces
 };
 
 /// The last frames, oldest first, for keypoints that come late. Reuses the memory of those that it

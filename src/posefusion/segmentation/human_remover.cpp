@@ -12,6 +12,18 @@
 
 namespace posefusion {
 
+namespace {
+
+/// Share of the joints of the trunk that were found.
+float TrunkShare(const PersonSeeds& person) {
+  constexpr CocoJoint kTrunk[] = {kNeck, kRightShoulder, kLeftShoulder, kRightHip, kLeftHip};
+  float found = 0;
+  for (const CocoJoint joint : kTrunk) found += person.found[joint] ? 1.0F : 0.0F;
+  return found / static_cast<float>(std::size(kTrunk));
+}
+
+}  // namespace
+
 struct HumanRemover::State {
   explicit State(const HumanRemovalConfig& given)
       : config(given), cutter(given), history(given.cells, given.history_s), tracks(given.hold) {}
@@ -28,13 +40,13 @@ struct HumanRemover::State {
   void CutSkeletons(PastFrame& entry, const Skeletons& skeletons, double time_s);
   void MarkSure(const PastFrame& entry);
   void MarkNearSeeds(const CellGrid& cells, double radius_m, std::uint8_t value);
-  void CutCarried(const PastFrame& entry, double time_s, bool by_keypoints);
+  void CutCarried(PastFrame& entry, double time_s, bool by_keypoints);
   CellSeeds SeedsOf(const CellPeople& people, CellPerson person) const;
   void KeepCuts(std::vector<PersonCut>& cuts) const;
   int CountPeople(const CellPeople& people);
 
   HumanRemovalConfig config;
-  PersonCutter cutter;
+  std::optional<PersonCutter> cutter;
   MotionField motion_field;
   FrameHistory history;
   PersonTracks tracks;
@@ -47,6 +59,7 @@ struct HumanRemover::State {
   KeypointCuts seen;               ///< cut with keypoints
   std::vector<PersonCut> carried;  ///< cut with carried cells
   cv::Mat cell_mask;
+  cv::Mat known_people;
   cv::Mat past_mask;
 };
 
@@ -102,18 +115,22 @@ void HumanRemover::State::CarryInto(std::size_t index) {
 }
 
 void HumanRemover::State::KeepCuts(std::vector<PersonCut>& cuts) const {
-  for (std::size_t i = 0; i < cuts.size(); ++i) cutter.cuts()[i].copyTo(cuts[i].cells);
+  for (std::size_t i = 0; i < cuts.size(); ++i) cutter->cuts()[i].copyTo(cuts[i].cells);
 }
 
 void HumanRemover::State::CutSkeletons(PastFrame& entry, const Skeletons& skeletons,
                                        double time_s) {
   CutRequest request;
   request.skeletons = &skeletons;
+  MarkKnown(entry.people, known_people);
+  request.known_people = known_people;
+  request.planes = &entry.planes;
   request.gravity = gravity;
-  cutter.CutCells(entry.frame, request);
-  seeds = cutter.people();
+  cutter->CutCells(entry.frame, request);
+  seeds = cutter->people();
   seen.cuts.assign(skeletons.people.size(), PersonCut());
   KeepCuts(seen.cuts);
+  for (std::size_t i = 0; i < seeds.size(); ++i) seen.cuts[i].trunk = TrunkShare(seeds[i]);
   MarkSure(entry);
   RecognisePeople(entry.people, time_s, tracks, seen.cuts);
   tracks.NoteKeypoints(time_s);  // not before everybody could be recognised
@@ -121,7 +138,7 @@ void HumanRemover::State::CutSkeletons(PastFrame& entry, const Skeletons& skelet
 
 /// Where the cuts made with keypoints know what is not person.
 void HumanRemover::State::MarkSure(const PastFrame& entry) {
-  const Grid<std::uint8_t>& surfaces = cutter.background_cells();
+  const Grid<std::uint8_t>& surfaces = cutter->background_cells();
   const cv::Size size = entry.cells.size();
   seen.near_seeds.create(size, CV_8UC1);
   seen.near_seeds.setTo(kFarFromSeeds);
@@ -161,9 +178,12 @@ CellSeeds HumanRemover::State::SeedsOf(const CellPeople& people, CellPerson pers
 }
 
 /// People whom keypoints of this very frame do not show are cut by what was carried of them.
-void HumanRemover::State::CutCarried(const PastFrame& entry, double time_s, bool by_keypoints) {
+void HumanRemover::State::CutCarried(PastFrame& entry, double time_s, bool by_keypoints) {
   CutRequest request;
   request.gravity = gravity;
+  MarkKnown(entry.people, known_people);
+  request.known_people = known_people;
+  request.planes = &entry.planes;
   carried.clear();
   const std::vector<int> cells = CountCells(entry.people);
   for (int number = kNobody + 1; number <= kMaxPersonNumber; ++number) {
@@ -174,7 +194,7 @@ void HumanRemover::State::CutCarried(const PastFrame& entry, double time_s, bool
     carried.push_back({person, false, cv::Mat()});
   }
   if (carried.empty() && by_keypoints) return;  // the cells of the frame have been built
-  cutter.CutCells(entry.frame, request);
+  cutter->CutCells(entry.frame, request);
   KeepCuts(carried);
 }
 
@@ -182,12 +202,13 @@ void HumanRemover::State::CutAt(std::size_t index, const Skeletons* skeletons, c
   PastFrame& entry = history[index];
   const double time_s = Time(entry.frame.stamp_ns);
   const bool by_keypoints = skeletons != nullptr;
+  entry.planes = index > 0 ? history[index - 1].planes : std::vector<Plane>();
   ReleasePeople(tracks, entry.people);
   if (by_keypoints) CutSkeletons(entry, *skeletons, time_s);
   CutCarried(entry, time_s, by_keypoints);
   UpdatePeople(by_keypoints ? &seen : nullptr, carried, entry.cells, time_s, tracks, entry.people);
   MarkPeople(entry.people, cell_mask);
-  cutter.Refine(entry.frame, cell_mask, mask);
+  cutter->Refine(entry.frame, cell_mask, mask);
 }
 
 /// People of enough cells; the others are forgotten.
@@ -234,6 +255,17 @@ HumanCut HumanRemover::Process(const RgbdFrame& frame, const std::vector<Skeleto
     result.mask_age_s = SecondsBetween(*s.newest_keypoints_ns, frame.stamp_ns);
   }
   return result;
+}
+
+void HumanRemover::Adopt(const HumanRemovalConfig& config) {
+  HumanRemovalConfig changed = state_->config;
+  changed.policy = config.policy;
+  changed.max_wait_s = config.max_wait_s;
+  changed.seeds = config.seeds;
+  changed.min_cut = config.min_cut;
+  CheckRanges("human_removal", changed);
+  state_->cutter.emplace(changed);
+  state_->config = changed;
 }
 
 void HumanRemover::Reset() {

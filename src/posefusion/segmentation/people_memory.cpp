@@ -54,11 +54,26 @@ float GainAt(const KeypointCuts& seen, const PersonHoldConfig& hold, int x, int 
   return static_cast<float>(is_at_seed ? hold.gain : hold.far_gain);
 }
 
+/// How much of the trunk the cuts of somebody rest on: where it was not found, they do not say that
+/// it is not there.
+float TrunkOf(const std::vector<PersonCut>& cuts, CellPerson person) {
+  float trunk = 0;
+  bool is_cut = false;
+  for (const PersonCut& cut : cuts) {
+    if (cut.owner != person) continue;
+    is_cut = true;
+    trunk = std::max(trunk, cut.trunk);
+  }
+  return is_cut ? trunk : 1;
+}
+
 /// Share of the way to -1 that evidence goes for a cell that the cuts leave out.
-float LossAt(const KeypointCuts& seen, const PersonHoldConfig& hold, int x, int y) {
+float LossAt(const KeypointCuts& seen, const PersonHoldConfig& hold, CellPerson person, int x,
+             int y) {
   if (seen.surfaces.at<std::uint8_t>(y, x) != 0) return static_cast<float>(hold.surface_loss);
+  const float trunk = TrunkOf(seen.cuts, person);
   const bool is_near = seen.near_seeds.at<std::uint8_t>(y, x) != kFarFromSeeds;
-  return static_cast<float>(is_near ? hold.loss : hold.far_loss);
+  return static_cast<float>(is_near ? hold.loss : hold.far_loss) * trunk;
 }
 
 const PersonCut* CutAt(const std::vector<PersonCut>& cuts, int x, int y) {
@@ -108,7 +123,7 @@ void UpdatePeople(const KeypointCuts* seen, const std::vector<PersonCut>& carrie
                      : evidence + GainAt(*seen, tracks.config(), x, y) * (1 - evidence);
       if (evidence > 0) person = by_keypoints->owner;
     } else if (seen != nullptr && (person == kNobody || tracks.LastConfirmed(person) == time_s)) {
-      evidence -= LossAt(*seen, tracks.config(), x, y) * (1 + evidence);
+      evidence -= LossAt(*seen, tracks.config(), person, x, y) * (1 + evidence);
       if (evidence <= 0) person = kNobody;
     }
   });
@@ -125,6 +140,14 @@ std::vector<int> CountCells(const CellPeople& people) {
   std::vector<int> counts(kNumNumbers, 0);
   ForEachCell(people, [&](int x, int y) { ++counts[people.person.at(x, y)]; });
   return counts;
+}
+
+void MarkKnown(const CellPeople& people, cv::Mat& mask) {
+  mask.create(people.person.height(), people.person.width(), CV_8UC1);
+  ForEachCell(people, [&](int x, int y) {
+    const bool is_known = IsPerson(people.person.at(x, y)) && !IsWeak(people, x, y);
+    mask.at<std::uint8_t>(y, x) = is_known ? 255 : 0;
+  });
 }
 
 void MarkPeople(const CellPeople& people, cv::Mat& mask) {

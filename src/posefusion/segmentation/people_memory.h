@@ -16,6 +16,7 @@ struct PersonCut {
   CellPerson owner = kNobody;
   bool is_new = false;  ///< nobody knew the owner before
   cv::Mat cells;        ///< CV_8UC1 of the cells' size, 255 = the person
+  float trunk = 1;      ///< share of the joints of the trunk that were found
 };
 
 /// Far from all seeds a cut knows little of who is person; near them it knows what is not person,
@@ -52,6 +53,10 @@ void ReleasePeople(const PersonTracks& tracks, CellPeople& people);
 
 /// Number of cells of everybody, by person.
 std::vector<int> CountCells(const CellPeople& people);
+
+/// `mask` becomes CV_8UC1 of the cells' size, 255 = anybody with evidence of at least
+/// kFirstEvidence.
+void MarkKnown(const CellPeople& people, cv::Mat& mask);
 
 /// `mask` becomes CV_8UC1 of the cells' size, 255 = anybody.
 void MarkPeople(const CellPeople& people, cv::Mat& mask);

@@ -9,7 +9,7 @@
 namespace posefusion {
 namespace {
 
-constexpr std::size_t kMinSeeds = 2;        ///< of one person
+constexpr std::size_t kMinSeeds = 1;        ///< of one person
 constexpr float kSeedDepth = 0.05F;         ///< metres from the cell that shows a seed
 constexpr std::size_t kMaxCellSeeds = 150;  ///< points that stand for certain cells
 
@@ -163,7 +163,7 @@ struct PersonCutter::Parts {
   }
 
   /// Planes are looked for away from everybody.
-  void FindSurfaces() {
+  void FindSurfaces(const cv::Mat& known_people, std::vector<Plane>* planes) {
     std::vector<Eigen::Vector3f> seeds;
     for (const auto* persons : {&people, &carried}) {
       for (const PersonSeeds& person : *persons) {
@@ -171,7 +171,8 @@ struct PersonCutter::Parts {
         for (const UnseenPart& part : person.unseen_parts) seeds.push_back(part.p_camera);
       }
     }
-    surfaces.Find(cells, seeds, background);
+    std::vector<Plane> none;
+    surfaces.Find(cells, seeds, known_people, planes != nullptr ? *planes : none, background);
   }
 
   PersonSeeds SeedsOf(const CellSeeds& seeds) const;
@@ -252,7 +253,7 @@ void PersonCutter::CutCells(const RgbdFrame& frame, const CutRequest& request) {
     }
   }
   for (const CellSeeds& seeds : request.cell_seeds) p.carried.push_back(p.SeedsOf(seeds));
-  p.FindSurfaces();
+  p.FindSurfaces(request.known_people, request.planes);
   for (const PersonSeeds& person : p.people) {
     p.BeginCut(num_cuts++);
     p.CutPerson(person, frame.camera);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "posefusion/segmentation/background_surfaces.h"
 #include "posefusion/segmentation/human_removal_config.h"
 
 namespace posefusion {
@@ -19,8 +20,11 @@ struct CellSeeds {
 
 /// What is to be cut out of a frame.
 struct CutRequest {
-  const Skeletons* skeletons = nullptr;    ///< of this very frame; none when null
-  std::vector<CellSeeds> cell_seeds;       ///< each is one cut of its own: one per carried person
+  const Skeletons* skeletons = nullptr;  ///< of this very frame; none when null
+  std::vector<CellSeeds> cell_seeds;     ///< each is one cut of its own: one per carried person
+  cv::Mat
+      known_people;  ///< CV_8UC1 cells: not 0 = person by what is known; no plane is found there
+  std::vector<Plane>* planes = nullptr;    ///< of the frame before; become those of this one
   std::optional<Eigen::Vector3f> gravity;  ///< unit vector downwards, camera frame
 };
 

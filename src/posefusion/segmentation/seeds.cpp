@@ -119,15 +119,43 @@ class Lifting {
       const auto z = NearestLayer(joint_layers_[i], result_.body_depth_m, tolerance_m);
       if (z) joints_[i] = SeedAt(skeleton_[i].u, skeleton_[i].v, *z);
     }
+    while (LiftAlongBones()) continue;
+  }
+
+  /// A body seen from above is deeper than max_body_depth_m: certain joints follow from those that
+  /// they hang on. Returns whether any did.
+  bool LiftAlongBones() {
+    bool lifted = false;
+    for (std::size_t bone = 0; bone < kBones.size(); ++bone) {
+      const auto [from, to] = kBones[bone];
+      if (joints_[from] && !joints_[to]) lifted |= LiftFrom(*joints_[from], to, bone);
+      if (joints_[to] && !joints_[from]) lifted |= LiftFrom(*joints_[to], from, bone);
+    }
+    return lifted;
+  }
+
+  bool LiftFrom(const Seed& known, std::size_t joint, std::size_t bone) {
+    if (skeleton_[joint].p < kCertain) return false;
+    float least = LongestBone(bone);
+    for (const DepthLayer& layer : joint_layers_[joint]) {
+      const Seed seed = SeedAt(skeleton_[joint].u, skeleton_[joint].v, layer.depth_m);
+      const float length = (seed.p_camera - known.p_camera).norm();
+      if (length > least) continue;
+      least = length;
+      joints_[joint] = seed;
+    }
+    return joints_[joint].has_value();
+  }
+
+  float LongestBone(std::size_t bone) const {
+    return kBoneLengths[bone] * static_cast<float>(config_.max_bone_stretch) + kSurfaceNoise;
   }
 
   bool IsTooLong(std::size_t bone) const {
     const auto& from = joints_[kBones[bone].from];
     const auto& to = joints_[kBones[bone].to];
     if (!from || !to) return false;
-    const float limit =
-        kBoneLengths[bone] * static_cast<float>(config_.max_bone_stretch) + kSurfaceNoise;
-    return (from->p_camera - to->p_camera).norm() > limit;
+    return (from->p_camera - to->p_camera).norm() > LongestBone(bone);
   }
 
   /// What the bones say of a joint.

@@ -79,6 +79,7 @@ void WriteRobotFiles(const RobotRecord& record, const std::string& folder) {
   if (record.samples.empty()) return;
   WriteTrajectory(record.body_groundtruth, folder + "/groundtruth_body.txt");
   WriteTrajectory(OdometryTrajectory(record), folder + "/odometry.txt");
+  WriteTrajectory(CameraOdometry(record), folder + "/odometry_camera.txt");
   WriteFileAtomically(folder + "/joint_states.txt", JointText(record));
   WriteFileAtomically(folder + "/tf.txt", TransformText(record));
 }

@@ -12,6 +12,7 @@ namespace posefusion {
 /// and for a robot also
 ///   groundtruth_body.txt  BODY in the map, TUM format
 ///   odometry.txt          BODY in odom, TUM format
+///   odometry_camera.txt   camera in odom by odometry and neck joints, TUM format
 ///   joint_states.txt      stamp and angles in radians; the first line names the joints
 ///   tf.txt                stamp parent child tx ty tz qx qy qz qw; fixed transforms once
 /// @throws std::runtime_error naming a file that cannot be written.

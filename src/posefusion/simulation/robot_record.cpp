@@ -35,6 +35,14 @@ RobotSample SampleAt(double time_s, const RobotMotion& robot, const Odometry& od
 
 }  // namespace
 
+Trajectory CameraOdometry(const RobotRecord& record) {
+  Trajectory trajectory;
+  for (const RobotSample& sample : record.samples) {
+    trajectory.push_back({sample.stamp_ns, sample.T_odom_body * T_body_camera(sample.neck)});
+  }
+  return trajectory;
+}
+
 RobotRecord RecordRobot(const SimulationConfig& config, const Mover& mover) {
   RobotRecord record;
   ForEachTime(config.seconds, kGroundtruthRateHz, [&](double t) {

@@ -31,6 +31,9 @@ struct RobotRecord {
   std::string imu_frame;  ///< BODY, or the camera's optical frame when hand-held
 };
 
+/// T_odom_camera as the robot believes it: odometry and the joints of its head.
+Trajectory CameraOdometry(const RobotRecord& record);
+
 RobotRecord RecordRobot(const SimulationConfig& checked_config, const Mover& mover);
 
 }  // namespace posefusion

@@ -77,38 +77,80 @@ Alignment Aligner::Align(const FramePyramid& frame, const ModelView& view, const
   const int finest = std::min(config_.finest_level, coarsest);
   for (int level = coarsest; level >= finest; --level) {
     const int stride_px = level == finest ? config_.finest_stride_px : config_.coarsest_stride_px;
-    const ResidualInput input =
-        SampleLevel(frame, view, start, level, stride_px, parallel, alignment);
-    if (level == coarsest) AlignCoarsest(input, start, parallel, scales, alignment);
-    const int iterations = level == finest ? config_.finest_iterations : config_.coarse_iterations;
-    Iterate(input, iterations, parallel, scales, alignment);
+    Level now;
+    now.input = SampleLevel(frame, view, start, level, stride_px, parallel, alignment);
+    now.max_iterations = config_.coarse_iterations;
+    now.prior = start.prior ? &*start.prior : nullptr;
+    now.prior_weight = PriorWeight(level, finest);
+    if (level == coarsest) AlignCoarsest(now, start, parallel, scales, alignment);
+    if (level == finest) now.max_iterations = config_.finest_iterations;
+    Iterate(now, parallel, scales, alignment);
   }
   alignment.T_view_camera = Orthonormalized(alignment.T_view_camera);
   return alignment;
 }
 
-/// Aligns every start and keeps the one with the most support.
-void Aligner::AlignCoarsest(const ResidualInput& input, const Start& start,
-                            const ParallelRunner& parallel, Scales& scales, Alignment& alignment) {
-  Alignment best = alignment;
-  Scales best_scales = scales;
-  double best_support = -1;
+/// The residuals' information is too large by covariance_scale, and a coarser level has a quarter
+/// of the rows: with this the prior has the same share in all levels, the one that it deserves.
+double Aligner::PriorWeight(int level, int finest) const {
+  return config_.covariance_scale * std::pow(0.25, level - finest);
+}
+
+Aligner::Candidate Aligner::AlignGuess(const Level& level, const Eigen::Isometry3d& T_view_camera,
+                                       const ParallelRunner& parallel, const Scales& scales,
+                                       const Alignment& alignment) {
+  Candidate candidate{alignment, scales, 0};
+  candidate.alignment.T_view_camera = T_view_camera;
+  Iterate(level, parallel, candidate.scales, candidate.alignment);
+  candidate.support = Support(level.input, candidate.alignment.T_view_camera, parallel);
+  return candidate;
+}
+
+/// Where the prior and the geometry lead without the intensities, which are ambiguous on stripes
+/// and may pull a pose by a whole period.
+Eigen::Isometry3d Aligner::AlignGeometry(Level level, const ParallelRunner& parallel, Scales scales,
+                                         Alignment alignment) {
+  level.input.use_intensity = false;
+  alignment.T_view_camera = level.prior->T_view_camera;
+  Iterate(level, parallel, scales, alignment);
+  return alignment.T_view_camera;
+}
+
+/// Aligns every start and keeps the best.
+void Aligner::AlignCoarsest(const Level& level, const Start& start, const ParallelRunner& parallel,
+                            Scales& scales, Alignment& alignment) {
+  candidates_.clear();
   for (const Eigen::Isometry3d& T_view_camera : start.T_view_camera) {
-    Alignment candidate = alignment;
-    Scales candidate_scales = scales;
-    candidate.T_view_camera = T_view_camera;
-    Iterate(input, config_.coarse_iterations, parallel, candidate_scales, candidate);
-    candidate.num_rows_total += best.num_rows_total - alignment.num_rows_total;
-    const double support = Support(input, candidate.T_view_camera, parallel);
-    if (support > best_support) {
-      best_support = support;
-      best_scales = candidate_scales;
-      std::swap(best, candidate);
-    }
-    best.num_rows_total = std::max(best.num_rows_total, candidate.num_rows_total);
+    candidates_.push_back(AlignGuess(level, T_view_camera, parallel, scales, alignment));
   }
-  alignment = best;
-  scales = best_scales;
+  if (level.prior != nullptr && config_.use_icp) {
+    const Eigen::Isometry3d T_geometry = AlignGeometry(level, parallel, scales, alignment);
+    candidates_.push_back(AlignGuess(level, T_geometry, parallel, scales, alignment));
+  }
+  long long num_rows = 0;
+  for (const Candidate& candidate : candidates_) num_rows += candidate.alignment.num_rows_total;
+  const Candidate& chosen = Choose(level.prior);
+  alignment = chosen.alignment;
+  alignment.num_rows_total = num_rows;
+  scales = chosen.scales;
+}
+
+/// The candidate with the most support, or the nearest to the prior of those that have nearly as
+/// much: repeated structures explain the image from several places.
+const Aligner::Candidate& Aligner::Choose(const PosePrior* prior) const {
+  const auto best = std::max_element(
+      candidates_.begin(), candidates_.end(),
+      [](const Candidate& a, const Candidate& b) { return a.support < b.support; });
+  if (prior == nullptr) return *best;
+  const auto distance = [prior](const Candidate& candidate) {
+    return SquaredSigmas(*prior, candidate.alignment.T_view_camera, Matrix6d::Zero());
+  };
+  const Candidate* nearest = &*best;
+  for (const Candidate& candidate : candidates_) {
+    if (candidate.support < config_.prior.min_support * best->support) continue;
+    if (distance(candidate) < distance(*nearest)) nearest = &candidate;
+  }
+  return *nearest;
 }
 
 /// Sum of the robust weights of all residuals at a pose, with fixed scales.
@@ -201,19 +243,24 @@ ResidualInput Aligner::SampleLevel(const FramePyramid& frame, const ModelView& v
   return input;
 }
 
-void Aligner::Iterate(ResidualInput input, int max_iterations, const ParallelRunner& parallel,
-                      Scales& scales, Alignment& alignment) {
-  for (int i = 0; i < max_iterations; ++i) {
+void Aligner::Iterate(const Level& level, const ParallelRunner& parallel, Scales& scales,
+                      Alignment& alignment) {
+  ResidualInput input = level.input;
+  for (int i = 0; i < level.max_iterations; ++i) {
     SetPose(alignment.T_view_camera, input);
     SetScales(scales, input);
     const ResidualSums sums = Evaluate(input, parallel);
     Record(sums, alignment);
+    if (level.prior != nullptr) {
+      alignment.prior = Linearize(*level.prior, alignment.T_view_camera, level.prior_weight);
+    }
     alignment.solved = false;
     if (sums.icp_rows + sums.intensity_rows < std::max(kMinRows, kMinRowShare * samples_.size)) {
       return;
     }
     const Eigen::LDLT<Matrix6d> ldlt(alignment.Information());
-    const Vector6d step = -ldlt.solve(alignment.icp_gradient + alignment.intensity_gradient);
+    const Vector6d step = -ldlt.solve(alignment.icp_gradient + alignment.intensity_gradient +
+                                      alignment.prior.gradient);
     if (ldlt.info() != Eigen::Success || !ldlt.isPositive() || !step.allFinite()) return;
     alignment.solved = true;
     alignment.T_view_camera = ExpSE3(step) * alignment.T_view_camera;

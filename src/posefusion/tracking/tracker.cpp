@@ -40,7 +40,7 @@ const char* ToString(TrackingHealth health) {
 }
 
 Tracker::Tracker(const TrackingConfig& config, const DepthNoiseConfig& noise)
-    : config_(config), aligner_(config, noise) {}
+    : config_(config), aligner_(config, noise), trust_(config.prior.regain_frames) {}
 
 TrackingResult Tracker::Start(const FramePyramid& frame, const Eigen::Isometry3d& T_map_camera) {
   TrackingResult result;
@@ -51,6 +51,7 @@ TrackingResult Tracker::Start(const FramePyramid& frame, const Eigen::Isometry3d
     return result;
   }
   T_map_camera_ = T_map_camera;
+  covariance_.setZero();
   T_last_step_.setIdentity();
   recent_.clear();
   recent_fits_.clear();
@@ -60,15 +61,17 @@ TrackingResult Tracker::Start(const FramePyramid& frame, const Eigen::Isometry3d
 }
 
 TrackingResult Tracker::Track(const FramePyramid& frame, const ModelView& view,
-                              const ParallelRunner& parallel) {
+                              const ParallelRunner& parallel,
+                              const std::optional<MotionPrior>& prior) {
   const Eigen::Isometry3d T_view_last = view.T_map_camera.inverse() * T_map_camera_;
   const double elapsed_s = SecondsBetween(recent_.back().stamp_ns, frame.stamp_ns);
   const double lag_s = config_.depth_lag_s + SecondsBetween(frame.depth_stamp_ns, frame.stamp_ns);
   Aligner::Start start;
   start.T_color_depth = ExpSE3(-lag_s * Velocity());
   start.T_view_camera = Guesses(frame, T_view_last);
-  const TrackingResult result =
-      Judge(aligner_.Align(frame, view, start, parallel), view, elapsed_s);
+  const Task task{frame, view, parallel, elapsed_s};
+  const TrackingResult result = prior ? TrackWithPrior(task, start, InView(*prior, T_view_last))
+                                      : TrackFrom(task, start).result;
   if (result.health != TrackingHealth::kFailed) {
     T_last_step_ = T_map_camera_.inverse() * result.T_map_camera;
     T_color_depth_ = start.T_color_depth;
@@ -77,9 +80,56 @@ TrackingResult Tracker::Track(const FramePyramid& frame, const ModelView& view,
       recent_fits_.pop_front();
     }
     T_map_camera_ = result.T_map_camera;
+    covariance_ = result.covariance;
     Remember(frame);
   }
   return result;
+}
+
+Tracker::Outcome Tracker::TrackFrom(const Task& task, const Aligner::Start& start) {
+  Outcome outcome;
+  outcome.alignment = aligner_.Align(task.frame, task.view, start, task.parallel);
+  outcome.confirmed = start.prior && Agrees(outcome.alignment, *start.prior);
+  outcome.result = Judge(outcome.alignment, task.view, task.elapsed_s, outcome.confirmed);
+  return outcome;
+}
+
+/// Where the prior fails or contradicts the images, the result is that of no prior.
+TrackingResult Tracker::TrackWithPrior(const Task& task, const Aligner::Start& start,
+                                       const PosePrior& prior) {
+  const bool trusted = trust_.trusted();
+  if (trusted && IsPlausibleStep(task.view.T_map_camera * prior.T_view_camera, task.elapsed_s)) {
+    Aligner::Start start_with_prior = start;
+    start_with_prior.T_view_camera.push_back(prior.T_view_camera);
+    start_with_prior.prior = prior;
+    Outcome outcome = TrackFrom(task, start_with_prior);
+    if (outcome.tracked() && outcome.confirmed) {
+      outcome.result.prior = PriorUse::kUsed;
+      return outcome.result;
+    }
+  }
+  Outcome outcome = TrackFrom(task, start);
+  if (!outcome.tracked()) return outcome.result;
+  trust_.Note(!trusted && Agrees(outcome.alignment, prior));
+  outcome.result.prior = trusted ? PriorUse::kContradicted : PriorUse::kDistrusted;
+  return outcome.result;
+}
+
+/// Directions in which the images say nothing have a large covariance and contradict nothing.
+bool Tracker::Agrees(const Alignment& alignment, const PosePrior& prior) const {
+  const Matrix6d covariance = config_.covariance_scale * alignment.Information().inverse();
+  const double max_sigmas = config_.prior.max_sigmas;
+  return SquaredSigmas(prior, alignment.T_view_camera, covariance) <= max_sigmas * max_sigmas;
+}
+
+PosePrior Tracker::InView(const MotionPrior& prior, const Eigen::Isometry3d& T_view_last) const {
+  Matrix6d R_last_map = Matrix6d::Zero();
+  R_last_map.topLeftCorner<3, 3>() = T_map_camera_.linear().transpose();
+  R_last_map.bottomRightCorner<3, 3>() = T_map_camera_.linear().transpose();
+  PosePrior pose_prior =
+      PriorInView(prior, T_view_last, R_last_map * covariance_ * R_last_map.transpose());
+  pose_prior.student_t_dof = config_.prior.student_t_dof;
+  return pose_prior;
 }
 
 Vector6d Tracker::Velocity() const {
@@ -116,8 +166,9 @@ std::vector<Eigen::Isometry3d> Tracker::Guesses(const FramePyramid& frame,
 
 /// After a gap or a jump Gauss-Newton may settle on a wrong pose that still has many inliers; both
 /// their share and the intensities then fit much worse than they have done just before. After a
-/// long gap every pose within reach is as likely as another, and a good one fits in both.
-bool Tracker::FitsLikeRecentFrames(const TrackingResult& result, double elapsed_s) const {
+/// long gap every pose within reach is as likely as another, unless a prior confirms it, and a good
+/// one fits in both.
+bool Tracker::FitsLikeRecentFrames(const TrackingResult& result, bool either_is_enough) const {
   constexpr std::size_t kEnoughFrames = 5;
   if (recent_fits_.size() < kEnoughFrames) return true;
   std::vector<double> inliers;
@@ -129,8 +180,7 @@ bool Tracker::FitsLikeRecentFrames(const TrackingResult& result, double elapsed_
   const double residual = std::max(Quantile(residuals, 0.5), config_.intensity_sigma_floor);
   const bool inliers_fit = result.inlier_ratio >= config_.min_fit_inliers * Quantile(inliers, 0.5);
   const bool intensities_fit = result.intensity_rms <= config_.max_fit_residual * residual;
-  return elapsed_s > config_.gap_s ? inliers_fit && intensities_fit
-                                   : inliers_fit || intensities_fit;
+  return either_is_enough ? inliers_fit || intensities_fit : inliers_fit && intensities_fit;
 }
 
 bool Tracker::IsPlausibleStep(const Eigen::Isometry3d& T_map_camera, double elapsed_s) const {
@@ -140,8 +190,8 @@ bool Tracker::IsPlausibleStep(const Eigen::Isometry3d& T_map_camera, double elap
              config_.max_step_rad + config_.max_speed_radps * elapsed_s;
 }
 
-TrackingResult Tracker::Judge(const Alignment& alignment, const ModelView& view,
-                              double elapsed_s) const {
+TrackingResult Tracker::Judge(const Alignment& alignment, const ModelView& view, double elapsed_s,
+                              bool is_confirmed) const {
   TrackingResult result;
   result.T_map_camera = view.T_map_camera * alignment.T_view_camera;
   result.valid_ratio = alignment.valid_ratio;
@@ -164,7 +214,7 @@ TrackingResult Tracker::Judge(const Alignment& alignment, const ModelView& view,
     result.failure = "residuals too large";
   } else if (!IsPlausibleStep(result.T_map_camera, elapsed_s)) {
     result.failure = "implausible jump";
-  } else if (!FitsLikeRecentFrames(result, elapsed_s)) {
+  } else if (!FitsLikeRecentFrames(result, is_confirmed || elapsed_s <= config_.gap_s)) {
     result.failure = "fits much worse than before";
   }
   if (result.failure[0] != '\0') return result;

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "posefusion/common/parallel.h"
 #include "posefusion/common/trajectory.h"
 #include "posefusion/tracking/aligner.h"
+#include "posefusion/tracking/prior_trust.h"
 #include "posefusion/tracking/tracking_result.h"
 
 namespace posefusion {
@@ -20,21 +22,46 @@ class Tracker {
   TrackingResult Start(const FramePyramid& frame, const Eigen::Isometry3d& T_map_camera);
 
   /// Aligns a frame to the view predicted from the last good pose. A failed result leaves the last
-  /// good pose in force, so that the next call tries again from there.
+  /// good pose in force, so that the next call tries again from there. `prior` takes part as long
+  /// as priors agree with what the images say.
   TrackingResult Track(const FramePyramid& frame, const ModelView& view,
-                       const ParallelRunner& parallel);
+                       const ParallelRunner& parallel,
+                       const std::optional<MotionPrior>& prior = std::nullopt);
 
   /// Where the camera was when the last frame's depth was measured, seen from the last pose.
   const Eigen::Isometry3d& T_color_depth() const { return T_color_depth_; }
+
+  /// Priors have not contradicted the images of late.
+  bool TrustsPriors() const { return trust_.trusted(); }
 
   /// Last pose that was not failed.
   const Eigen::Isometry3d& T_map_camera() const { return T_map_camera_; }
 
  private:
+  /// A frame to be tracked.
+  struct Task {
+    const FramePyramid& frame;
+    const ModelView& view;
+    const ParallelRunner& parallel;
+    double elapsed_s;  ///< since the last good frame
+  };
+  struct Outcome {
+    Alignment alignment;
+    TrackingResult result;
+    bool confirmed = false;  ///< the pose agrees with the prior that took part
+    bool tracked() const { return result.health != TrackingHealth::kFailed; }
+  };
+
+  Outcome TrackFrom(const Task& task, const Aligner::Start& start);
+  TrackingResult TrackWithPrior(const Task& task, const Aligner::Start& start,
+                                const PosePrior& prior);
+  bool Agrees(const Alignment& alignment, const PosePrior& prior) const;
+  PosePrior InView(const MotionPrior& prior, const Eigen::Isometry3d& T_view_last) const;
   std::vector<Eigen::Isometry3d> Guesses(const FramePyramid& frame,
                                          const Eigen::Isometry3d& T_view_last) const;
-  TrackingResult Judge(const Alignment& alignment, const ModelView& view, double elapsed_s) const;
-  bool FitsLikeRecentFrames(const TrackingResult& result, double elapsed_s) const;
+  TrackingResult Judge(const Alignment& alignment, const ModelView& view, double elapsed_s,
+                       bool is_confirmed) const;
+  bool FitsLikeRecentFrames(const TrackingResult& result, bool either_is_enough) const;
   Matrix6d CovarianceInMap(const Alignment& alignment, const ModelView& view) const;
   bool IsPlausibleStep(const Eigen::Isometry3d& T_map_camera, double elapsed_s) const;
   Vector6d Velocity() const;
@@ -44,6 +71,8 @@ class Tracker {
   TrackingConfig config_;
   Aligner aligner_;
   Eigen::Isometry3d T_map_camera_ = Eigen::Isometry3d::Identity();
+  Matrix6d covariance_ = Matrix6d::Zero();  ///< of T_map_camera_, as in TrackingResult
+  PriorTrust trust_;
   Eigen::Isometry3d T_last_step_ = Eigen::Isometry3d::Identity();  ///< camera motion, last frame
   /// How well a good frame fitted the model.
   struct Fit {

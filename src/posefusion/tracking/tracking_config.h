@@ -3,6 +3,7 @@
 #include <string>
 
 #include "posefusion/config/config.h"
+#include "posefusion/tracking/motion_prior_config.h"
 
 namespace posefusion {
 
@@ -27,6 +28,7 @@ void Describe(V& v, So3Config& c) {
 /// Frame-to-model alignment by Gauss-Newton over point-to-plane and photometric residuals.
 struct TrackingConfig {
   So3Config so3;
+  MotionPriorConfig prior;
   int coarsest_level = 4;
   int finest_level = 1;        ///< 0 = full resolution
   int coarse_iterations = 10;  ///< at most, on every level but the finest
@@ -69,6 +71,7 @@ struct TrackingConfig {
 template <class V>
 void Describe(V& v, TrackingConfig& c) {
   v.Group("so3", c.so3);
+  v.Group("prior", c.prior);
   v.Field("coarsest_level", c.coarsest_level, 0, 5);
   v.Field("finest_level", c.finest_level, 0, 5);
   v.Field("coarse_iterations", c.coarse_iterations, 0, 100);

@@ -16,6 +16,14 @@ enum class TrackingHealth {
 
 const char* ToString(TrackingHealth health);
 
+/// What became of a prior of the camera's motion (see MotionPrior).
+enum class PriorUse {
+  kNone,          ///< there was none
+  kUsed,          ///< it agreed with the images and took part
+  kContradicted,  ///< the images say something else: tracked without it
+  kDistrusted,    ///< an earlier one was contradicted not long ago: tracked without it
+};
+
 /// What aligning one frame to a ModelView found out.
 struct TrackingResult {
   Eigen::Isometry3d T_map_camera = Eigen::Isometry3d::Identity();
@@ -24,6 +32,7 @@ struct TrackingResult {
   Matrix6d covariance = Matrix6d::Zero();
   TrackingHealth health = TrackingHealth::kFailed;
   const char* failure = "";      ///< why the health is kFailed, empty otherwise
+  PriorUse prior = PriorUse::kNone;
   double inlier_ratio = 0;       ///< share of the valid sampled pixels that fit the model
   double valid_ratio = 0;        ///< share of the sampled pixels with depth and not masked
   double icp_rms_m = 0;          ///< robust RMS of the point-to-plane residuals

@@ -9,8 +9,10 @@
 #include "posefusion_ros/conversions.h"
 #include "posefusion_ros/nodelets/blur_filter_config.h"
 #include "posefusion_ros/nodelets/checked_nodelet.h"
+#include "posefusion_ros/nodelets/diagnostics.h"
 #include "posefusion_ros/nodelets/rgbd_subscriber.h"
 #include "posefusion_ros/parameter_reader.h"
+#include "posefusion_ros/reconfigure_server.h"
 #include "posefusion_ros/topic_names.h"
 #include "posefusion_ros/trouble_log.h"
 
@@ -35,10 +37,37 @@ class BlurFilterNodelet : public CheckedNodelet {
     subscriber_ = std::make_unique<RgbdSubscriber>(
         node, RgbdTopics{kCameraRgbTopic, kCameraDepthTopic, kCameraInfoTopic}, config_.ros.input,
         config_.ros.input_is_paired, [this](const RgbdMessages& frame) { OnFrame(frame); });
+    StartReconfigure();
+    StartDiagnostics(node);
     NODELET_INFO_STREAM("filter " << (config_.filter.enabled ? "on" : "off") << ", waiting for "
                                   << subscriber_->topics().rgb << ", "
                                   << subscriber_->topics().depth << ", "
                                   << subscriber_->topics().info);
+  }
+
+  void StartReconfigure() {
+    const auto apply = [this](const BlurFilterNodeletConfig& config) {
+      filter_.emplace(config.filter);
+      config_.filter = config.filter;
+    };
+    reconfigure_ = std::make_unique<ReconfigureServer<BlurFilterNodeletConfig>>(
+        getPrivateNodeHandle(), config_,
+        std::vector<std::string>{"enabled", "mode", "threshold", "max_length_px", "enough_detail",
+                                 "exposure_s"},
+        apply, [this](const std::string& text) { NODELET_ERROR_STREAM(text); });
+  }
+
+  void StartDiagnostics(const ros::NodeHandle& node) {
+    diagnostics_ = std::make_unique<Diagnostics>(node, getPrivateNodeHandle(), getName());
+    diagnostics_->Add("topics", [this](Diagnostics::Wrapper& entry) {
+      DescribeTopics(subscriber_->TopicStates(), config_.ros.input.no_data_warning_s, entry);
+    });
+    diagnostics_->Add("blur", [this](Diagnostics::Wrapper& entry) {
+      entry.add("frames seen", filter_->counts().seen);
+      entry.add("frames dropped", filter_->counts().dropped);
+      entry.summary(diagnostic_msgs::DiagnosticStatus::OK,
+                    config_.filter.enabled ? "blurred frames are left out" : "off");
+    });
   }
 
   void OnFrame(const RgbdMessages& frame) {
@@ -84,7 +113,9 @@ class BlurFilterNodelet : public CheckedNodelet {
   ros::Publisher depth_;
   ros::Publisher info_;
   ros::Publisher score_;
-  std::unique_ptr<RgbdSubscriber> subscriber_;  // last: no frame comes while the rest ends
+  std::unique_ptr<ReconfigureServer<BlurFilterNodeletConfig>> reconfigure_;
+  std::unique_ptr<RgbdSubscriber> subscriber_;  // no frame comes while the rest ends
+  std::unique_ptr<Diagnostics> diagnostics_;
 };
 
 }  // namespace posefusion

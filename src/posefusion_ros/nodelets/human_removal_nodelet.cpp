@@ -1,3 +1,5 @@
+#include <std_srvs/SetBool.h>
+
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -8,10 +10,12 @@
 #include "posefusion_ros/conversions.h"
 #include "posefusion_ros/keypoint_rate_meter.h"
 #include "posefusion_ros/nodelets/checked_nodelet.h"
+#include "posefusion_ros/nodelets/diagnostics.h"
 #include "posefusion_ros/nodelets/human_removal_publishers.h"
 #include "posefusion_ros/nodelets/human_removal_worker.h"
 #include "posefusion_ros/nodelets/rgbd_subscriber.h"
 #include "posefusion_ros/parameter_reader.h"
+#include "posefusion_ros/reconfigure_server.h"
 #include "posefusion_ros/skeleton_conversions.h"
 #include "posefusion_ros/topic_names.h"
 #include "posefusion_ros/trouble_log.h"
@@ -24,15 +28,15 @@ class HumanRemovalNodelet : public CheckedNodelet {
  private:
   void Start() override {
     ros::NodeHandle node = getNodeHandle();
-    const auto config = ReadConfig<HumanRemovalNodeletConfig>(getPrivateNodeHandle());
+    config_ = ReadConfig<HumanRemovalNodeletConfig>(getPrivateNodeHandle());
     const RgbdTopics topics{kSharpRgbTopic, kSharpDepthTopic, kSharpInfoTopic};
     const RgbdTopics names{node.resolveName(topics.rgb), node.resolveName(topics.depth),
                            node.resolveName(topics.info)};
     skeletons_topic_ = node.resolveName(kSkeletonsTopic);
     clock_check_.emplace(skeletons_topic_);
     // What may throw comes before topics: the manager cannot take them back from half a nodelet.
-    worker_ = std::make_unique<HumanRemovalWorker>(config, names, MakeCallbacks());
-    const InputConfig& input = config.ros.input;
+    worker_ = std::make_unique<HumanRemovalWorker>(config_, names, MakeCallbacks());
+    const InputConfig& input = config_.ros.input;
     const auto queue_size =
         static_cast<std::uint32_t>(input.lossless ? 0 : input.subscriber_queue_size);
     publishers_ = std::make_unique<HumanRemovalPublishers>(node, queue_size);
@@ -40,9 +44,11 @@ class HumanRemovalNodelet : public CheckedNodelet {
         kSkeletonsTopic, queue_size,
         [this](const boost::shared_ptr<const SkeletonsMessage>& m) { OnSkeletons(*m); });
     subscriber_ =
-        std::make_unique<RgbdSubscriber>(node, topics, input, config.ros.input_is_paired,
+        std::make_unique<RgbdSubscriber>(node, topics, input, config_.ros.input_is_paired,
                                          [this](const RgbdMessages& frame) { OnFrame(frame); });
-    NODELET_INFO_STREAM("removal of people " << (config.removal.enabled ? "on" : "off")
+    StartControls();
+    StartDiagnostics(node);
+    NODELET_INFO_STREAM("removal of people " << (config_.removal.enabled ? "on" : "off")
                                              << ", keypoints from " << skeletons_topic_);
   }
 
@@ -50,10 +56,60 @@ class HumanRemovalNodelet : public CheckedNodelet {
     HumanRemovalWorker::Callbacks callbacks;
     callbacks.frame = [this](const RemovalResult& result) {
       publishers_->Publish(result, CurrentPace());
+      Note(result);
     };
     callbacks.log_error = [this](const std::string& text) { NODELET_ERROR_STREAM(text); };
     callbacks.log_info = [this](const std::string& text) { NODELET_WARN_STREAM(text); };
     return callbacks;
+  }
+
+  /// What may be changed while it runs. The service is the same as the key `enabled`.
+  void StartControls() {
+    ros::NodeHandle private_node = getPrivateNodeHandle();
+    reconfigure_ = std::make_unique<ReconfigureServer<HumanRemovalNodeletConfig>>(
+        private_node, config_,
+        std::vector<std::string>{"enabled", "policy", "max_wait_s", "seeds.min_joint_confidence",
+                                 "min_cut.radius_m", "min_cut.sigma_m", "min_cut.source_weight",
+                                 "min_cut.max_penalty", "min_cut.reach_m"},
+        [this](const HumanRemovalNodeletConfig& config) { worker_->Adopt(config.removal); },
+        [this](const std::string& text) { NODELET_ERROR_STREAM(text); });
+    set_human_removal_ = private_node.advertiseService("set_human_removal",
+                                                       &HumanRemovalNodelet::SetHumanRemoval, this);
+  }
+
+  bool SetHumanRemoval(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
+    const bool enable = request.data != 0;
+    const bool was = reconfigure_->config().removal.enabled;
+    reconfigure_->Change([enable](HumanRemovalNodeletConfig& c) { c.removal.enabled = enable; });
+    response.success = 1;
+    response.message = enable ? "people are removed" : "people stay in the pictures";
+    if (was == enable) response.message += ", as before";
+    return true;
+  }
+
+  void StartDiagnostics(const ros::NodeHandle& node) {
+    diagnostics_ = std::make_unique<Diagnostics>(node, getPrivateNodeHandle(), getName());
+    diagnostics_->Add("topics", [this](Diagnostics::Wrapper& entry) {
+      DescribeTopics(subscriber_->TopicStates(), config_.ros.input.no_data_warning_s, entry);
+    });
+    diagnostics_->Add("people", [this](Diagnostics::Wrapper& entry) { DescribePeople(entry); });
+  }
+
+  void DescribePeople(Diagnostics::Wrapper& entry) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    entry.add("frames [Hz]", frame_pace_.RateHz(SteadyNowS()));
+    entry.add("frames dropped because newer ones waited", num_dropped_);
+    entry.add("people", num_people_);
+    entry.add("keypoints [Hz]", rate_meter_.RateHz(SteadyNowS()));
+    entry.add("delay of keypoints [s]", rate_meter_.delay_s());
+    entry.summaryf(diagnostic_msgs::DiagnosticStatus::OK, "%d people", num_people_);
+  }
+
+  void Note(const RemovalResult& result) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    frame_pace_.Note(SteadyNowS());
+    num_dropped_ = result.dropped;
+    num_people_ = result.cut != nullptr ? result.cut->num_people : 0;
   }
 
   void OnFrame(const RgbdMessages& frame) {
@@ -95,19 +151,26 @@ class HumanRemovalNodelet : public CheckedNodelet {
 
   static constexpr double kErrorPeriodS = 5;
 
-  std::string skeletons_topic_;  ///< resolved
+  HumanRemovalNodeletConfig config_;  ///< at the start
+  std::string skeletons_topic_;       ///< resolved
   std::optional<ClockCheck> clock_check_;
   std::optional<StampNs> keypoints_ns_;  ///< the newest since the newest frame
   StampNs image_ns_ = -1;                ///< of the newest frame
   TroubleLog trouble_{kErrorPeriodS,
                       [this](const std::string& text) { NODELET_ERROR_STREAM(text); },
                       [this](const std::string& text) { NODELET_INFO_STREAM(text); }};
-  std::mutex mutex_;  ///< guards the one below
+  std::mutex mutex_;  ///< guards those below
   KeypointRateMeter rate_meter_;
+  PaceMeter frame_pace_;
+  std::size_t num_dropped_ = 0;
+  int num_people_ = 0;
   std::unique_ptr<HumanRemovalPublishers> publishers_;
   std::unique_ptr<HumanRemovalWorker> worker_;  // ends before what it publishes with
   ros::Subscriber skeletons_;
-  std::unique_ptr<RgbdSubscriber> subscriber_;  // last: no frame comes while the rest ends
+  std::unique_ptr<ReconfigureServer<HumanRemovalNodeletConfig>> reconfigure_;
+  ros::ServiceServer set_human_removal_;
+  std::unique_ptr<RgbdSubscriber> subscriber_;  // no frame comes while the rest ends
+  std::unique_ptr<Diagnostics> diagnostics_;
 };
 
 }  // namespace posefusion

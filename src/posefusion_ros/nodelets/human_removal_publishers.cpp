@@ -70,14 +70,15 @@ void HumanRemovalPublishers::PublishOverlay(const RemovalResult& result) {
       ToRgb8Message(DrawMask(result.frame->rgb, result.cut->mask), result.messages.rgb->header));
 }
 
-/// Whenever newer keypoints have been used, at the stamp of their image.
+/// Whenever newer keypoints have been used. Without a stamp: viewers then take the newest transform
+/// there is; at the image's stamp there is none yet, or, while Mapping is lost, never.
 void HumanRemovalPublishers::PublishMarkers(const RemovalResult& result) {
   if (!result.cut->mask_age_s) return;
   const StampNs keypoints_ns = result.frame->stamp_ns - StampFromSeconds(*result.cut->mask_age_s);
   if (keypoints_ns == drawn_keypoints_ns_) return;
   drawn_keypoints_ns_ = keypoints_ns;
   std_msgs::Header header = result.messages.rgb->header;
-  header.stamp = ToRosTime(keypoints_ns);
+  header.stamp = ros::Time();
   markers_.publish(ToSkeletonMarkers(result.remover->seeds(), header));
 }
 

@@ -3,6 +3,7 @@
 #include <exception>
 #include <utility>
 
+#include "posefusion/config/config.h"
 #include "posefusion/skeleton/skeleton_checks.h"
 #include "posefusion_ros/conversions.h"
 
@@ -48,13 +49,35 @@ void HumanRemovalWorker::Push(RgbdMessages messages) {
 }
 
 void HumanRemovalWorker::PushKeypoints(Skeletons skeletons) {
-  if (remover_) inbox_.AddKeypoints(std::move(skeletons), Clock::now());
+  inbox_.AddKeypoints(std::move(skeletons), Clock::now());
 }
 
 void HumanRemovalWorker::Run() {
   while (!queue_.closed()) {
     const auto item = queue_.PopFor(kPollPeriod);
+    TakeOver();
     if (item) Work(*item);
+  }
+}
+
+void HumanRemovalWorker::Adopt(const HumanRemovalConfig& config) {
+  CheckRanges("human_removal", config);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  adopted_ = config;
+}
+
+void HumanRemovalWorker::TakeOver() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!adopted_) return;
+  config_.removal = *adopted_;
+  adopted_.reset();
+  if (!config_.removal.enabled) {
+    remover_.reset();
+  } else if (remover_) {
+    remover_->Adopt(config_.removal);
+  } else {
+    remover_.emplace(config_.removal);
+    last_stamp_ns_.reset();
   }
 }
 

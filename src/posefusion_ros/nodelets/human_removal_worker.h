@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
@@ -47,6 +48,10 @@ class HumanRemovalWorker {
   void Push(RgbdMessages messages);
   void PushKeypoints(Skeletons skeletons);
 
+  /// Takes over, before the next frame, what may change while it runs: `enabled` and what
+  /// HumanRemover::Adopt says. Thread-safe. @throws std::invalid_argument naming the key.
+  void Adopt(const HumanRemovalConfig& config);
+
  private:
   struct Item {
     RgbdMessages messages;
@@ -54,15 +59,18 @@ class HumanRemovalWorker {
   };
 
   void Run();
+  void TakeOver();
   void Work(const Item& item);
   void RestartIfTimeWentBack(StampNs stamp_ns);
   std::vector<Skeletons> TakeKeypoints(const RgbdFrame& frame, const Item& item);
   KeypointInbox::Clock::duration WaitTime() const;
 
-  const HumanRemovalNodeletConfig config_;
+  HumanRemovalNodeletConfig config_;  ///< of the worker's thread
   const RgbdTopics topics_;
   const Callbacks callbacks_;
-  std::optional<HumanRemover> remover_;  ///< empty when removal is off
+  std::mutex mutex_;                           ///< guards the one below
+  std::optional<HumanRemovalConfig> adopted_;  ///< not taken over yet
+  std::optional<HumanRemover> remover_;        ///< empty when removal is off
   TroubleLog trouble_;
   std::optional<StampNs> last_stamp_ns_;
   KeypointInbox inbox_;

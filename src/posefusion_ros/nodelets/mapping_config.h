@@ -3,19 +3,10 @@
 #include <string>
 
 #include "posefusion/pipeline/slam_config.h"
+#include "posefusion_ros/nodelets/frames_config.h"
 #include "posefusion_ros/nodelets/input_config.h"
 
 namespace posefusion {
-
-/// Frame names; slashes are allowed. The camera frame is the one in the header of the images.
-struct FramesConfig {
-  std::string map_frame = "map";
-};
-
-template <class V>
-void Describe(V& v, FramesConfig& c) {
-  v.Field("map_frame", c.map_frame);
-}
 
 /// What the Mapping nodelet does besides tracking and fusing.
 struct MappingRosConfig {
@@ -31,10 +22,11 @@ struct MappingRosConfig {
   int queue_size = 2;                 ///< frames that may wait for tracking; the oldest is dropped
   int num_threads = 2;                ///< for tracking and fusion
   double reset_after_jump_back_s = 0.5;  ///< stamps this far back mean that a bag was restarted
-  bool publish_tf = true;                ///< map -> camera
-  double path_period_s = 0.5;            ///< between messages on `path`
-  double surfel_cloud_period_s = 2.0;    ///< between messages on `surfel_cloud`
-  double model_image_period_s = 0.1;     ///< between messages on `model/image`
+  TfConfig tf;
+  StartConfig start;
+  double path_period_s = 0.5;          ///< between messages on `path`
+  double surfel_cloud_period_s = 2.0;  ///< between messages on `surfel_cloud`
+  double model_image_period_s = 0.1;   ///< between messages on `model/image`
   std::string output_dir;  ///< trajectory.txt and map.ply are saved here at the end; "" = nowhere
 };
 
@@ -48,7 +40,8 @@ void Describe(V& v, MappingRosConfig& c) {
   v.Field("queue_size", c.queue_size, 1, 1000);
   v.Field("num_threads", c.num_threads, 1, 64);
   v.Field("reset_after_jump_back_s", c.reset_after_jump_back_s, 0.0, 3600.0);
-  v.Field("publish_tf", c.publish_tf);
+  v.Group("tf", c.tf);
+  v.Group("start", c.start);
   v.Field("path_period_s", c.path_period_s, 0.0, 3600.0);
   v.Field("surfel_cloud_period_s", c.surfel_cloud_period_s, 0.0, 3600.0);
   v.Field("model_image_period_s", c.model_image_period_s, 0.0, 3600.0);

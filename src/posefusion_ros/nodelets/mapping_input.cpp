@@ -48,6 +48,13 @@ void MappingInput::SubscribeStatic(ros::NodeHandle& node, const InputConfig& con
                                 [this](const ros::WallTimerEvent&) { OnTimer(); });
 }
 
+std::vector<TopicState> MappingInput::TopicStates() const {
+  std::vector<TopicState> states = frames_->TopicStates();
+  if (!watchdog_) return states;
+  for (TopicState& state : watchdog_->States(SteadyNowS())) states.push_back(std::move(state));
+  return states;
+}
+
 void MappingInput::OnFrame(const RgbdMessages& frame) {
   if (human_removal_) {
     if (buffer_.size() == 0) watchdog_->NoteFrame(SteadyNowS());  // its waiting begins now

@@ -31,6 +31,9 @@ class MappingInput {
   MappingInput(ros::NodeHandle node, const MappingRosConfig& config, Callback callback,
                MappingInputCounts& counts);
 
+  /// For diagnostics; on the node handle's callback queue only.
+  std::vector<TopicState> TopicStates() const;
+
  private:
   void SubscribeStatic(ros::NodeHandle& node, const InputConfig& config);
   void OnFrame(const RgbdMessages& frame);

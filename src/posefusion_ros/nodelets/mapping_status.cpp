@@ -12,7 +12,8 @@ constexpr double kIdlePeriodS = 1;
 MappingStatus::MappingStatus() : last_s_(SteadyNowS()) { status_.state = "waiting"; }
 
 Status MappingStatus::OfFrame(const FrameResult& result, const std_msgs::Header& rgb_header,
-                              const Slam& slam, const MappingCounts& counts) {
+                              const Slam& slam, const MappingCounts& counts,
+                              const std::string& tf_trouble) {
   const TrackingResult& tracking = result.tracking;
   status_.header.stamp = rgb_header.stamp;
   status_.header.frame_id = rgb_header.frame_id;
@@ -25,6 +26,8 @@ Status MappingStatus::OfFrame(const FrameResult& result, const std_msgs::Header&
   status_.intensity_rms = tracking.intensity_rms;
   status_.surfels = slam.NumSurfels();
   status_.delay_s = (ros::Time::now() - rgb_header.stamp).toSec();
+  status_.tf_trouble = tf_trouble;
+  FillPace(result.HasPose());
   status_.stage_names.clear();
   status_.stage_ms.clear();
   for (const auto& time : result.stage_times) {
@@ -43,8 +46,18 @@ std::optional<Status> MappingStatus::OfIdle(const MappingCounts& counts) {
   last_s_ = now_s;
   FillCounts(counts);
   if (status_.frames_processed > 0) status_.state = "no_data";
+  if (counts.paused) status_.state = "paused";
+  FillPace(false);
   if (!counts.trouble.empty()) status_.detail = counts.trouble;
   return status_;
+}
+
+void MappingStatus::FillPace(bool has_pose) {
+  const double now_s = SteadyNowS();
+  if (has_pose) pace_.Note(now_s, status_.delay_s);
+  status_.rate_hz = pace_.RateHz(now_s);
+  status_.delay_median_s = pace_.DelayQuantileS(0.5);
+  status_.delay_p95_s = pace_.DelayQuantileS(0.95);
 }
 
 void MappingStatus::FillCounts(const MappingCounts& counts) {

@@ -42,11 +42,38 @@ MappingWorker::~MappingWorker() {
 void MappingWorker::Run() {
   while (!queue_.closed()) {
     const auto messages = queue_.PopFor(kIdlePeriod);
+    RunSteps();
     bool worked = false;
-    Guarded([&] { worked = messages && Work(*messages); });
+    Guarded([&] { worked = messages && !paused_ && Work(*messages); });
     if (!worked) Guarded([&] { callbacks_.idle(slam_, CurrentCounts()); });
   }
   Guarded([&] { callbacks_.finish(slam_); });
+}
+
+bool MappingWorker::Between(const std::function<void(Slam&)>& step, double timeout_s) {
+  // Whoever claims it first decides: the worker does the step, or the caller gives it up.
+  const auto claimed = std::make_shared<std::atomic<bool>>(false);
+  std::packaged_task<void()> task([this, step, claimed] {
+    if (!claimed->exchange(true)) step(slam_);
+  });
+  std::future<void> done = task.get_future();
+  {
+    const std::lock_guard<std::mutex> lock(steps_mutex_);
+    steps_.push_back(std::move(task));
+  }
+  const auto status = done.wait_for(std::chrono::duration<double>(timeout_s));
+  if (status != std::future_status::ready && !claimed->exchange(true)) return false;
+  done.get();
+  return true;
+}
+
+void MappingWorker::RunSteps() {
+  std::deque<std::packaged_task<void()>> steps;
+  {
+    const std::lock_guard<std::mutex> lock(steps_mutex_);
+    steps.swap(steps_);
+  }
+  for (auto& step : steps) step();
 }
 
 void MappingWorker::Guarded(const std::function<void()>& step) {
@@ -75,9 +102,10 @@ bool MappingWorker::Work(const MappingMessages& messages) {
   const RgbdFrame frame = ToFrame(messages);
   const PeopleInFrame people = ToPeople(messages);
   if (!IsInOrder(frame.stamp_ns)) return false;
+  PrepareStart(messages.rgbd.rgb->header);
   FrameResult result;
   try {
-    result = slam_.ProcessFrame(frame, people);
+    result = slam_.ProcessFrame(frame, people, {callbacks_.odometry(messages.rgbd.rgb->header)});
   } catch (const std::invalid_argument& error) {
     Refuse(topics_.rgb + ", " + topics_.depth + ", " + topics_.info + ": " + error.what());
     return false;
@@ -100,19 +128,28 @@ bool MappingWorker::IsInOrder(StampNs stamp_ns) {
   }
   callbacks_.log_info("time went back by " + std::to_string(back_s) +
                       " s (a bag restarted?): " + "map and poses start anew");
+  Reset();
+  return true;
+}
+
+void MappingWorker::Reset() {
   slam_.Reset();
   const std::size_t resets = counts_.resets + 1;
   counts_ = {};
   counts_.resets = resets;
   last_stamp_ns_ = -1;
   callbacks_.reset();
-  return true;
+}
+
+void MappingWorker::PrepareStart(const std_msgs::Header& rgb_header) {
+  if (slam_.NumSurfels() == 0) slam_.SetStartPose(callbacks_.start_pose(rgb_header));
 }
 
 MappingCounts MappingWorker::CurrentCounts() const {
   MappingCounts counts = counts_;
   counts.dropped = queue_.num_dropped();
   counts.queue_length = queue_.size();
+  counts.paused = paused_;
   counts.trouble = trouble_.trouble();
   return counts;
 }

@@ -1,6 +1,11 @@
 #pragma once
 
+#include <atomic>
+#include <deque>
 #include <functional>
+#include <future>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -25,6 +30,7 @@ struct MappingCounts {
   std::size_t evicted = 0;  ///< frames for which HumanRemoval gave nothing, since the start
   /// What HumanRemoval said of the last frame; null when people are not removed.
   HumanInfoConstPtr human_info;
+  bool paused = false;  ///< frames are thrown away
   std::string trouble;  ///< why the last frame could not be used; empty when it could
 };
 
@@ -39,6 +45,11 @@ class MappingWorker {
         frame;
     /// Several times a second while no good frame comes.
     std::function<void(const Slam&, const MappingCounts&)> idle;
+    /// T_map_camera of the frame that begins the map. May wait.
+    std::function<Eigen::Isometry3d(const std_msgs::Header& rgb_header)> start_pose;
+    /// T_odom_camera of the robot's own odometry when the image was taken; nothing when unknown. Does
+    /// not wait.
+    std::function<std::optional<Eigen::Isometry3d>(const std_msgs::Header& rgb_header)> odometry;
     std::function<void()> reset;  ///< map and poses have been forgotten
     /// At the end, after the last frame.
     std::function<void(const Slam&)> finish;
@@ -57,6 +68,17 @@ class MappingWorker {
   /// Thread-safe; returns at once.
   void Push(MappingMessages messages) { queue_.Push(std::move(messages)); }
 
+  /// Runs `step` between two frames, on the worker's thread, and waits for it. Thread-safe. False
+  /// when the worker has no time for it within `timeout_s`, or ends.
+  bool Between(const std::function<void(Slam&)>& step, double timeout_s = 10);
+
+  /// Frames that come while it pauses are thrown away. Thread-safe. Returns what was before.
+  bool SetPaused(bool paused) { return paused_.exchange(paused); }
+
+  /// Forgets map, poses and camera; the next frame starts anew. On the worker's thread only, that
+  /// is, within Between.
+  void Reset();
+
  private:
   void Run();
   /// Lets no exception through: it is counted and told instead.
@@ -66,6 +88,8 @@ class MappingWorker {
   RgbdFrame ToFrame(const MappingMessages& messages) const;
   PeopleInFrame ToPeople(const MappingMessages& messages) const;
   bool IsInOrder(StampNs stamp_ns);
+  void RunSteps();
+  void PrepareStart(const std_msgs::Header& rgb_header);
   MappingCounts CurrentCounts() const;
   void Refuse(const std::string& text);
 
@@ -77,6 +101,9 @@ class MappingWorker {
   TroubleLog trouble_;
   MappingCounts counts_;
   StampNs last_stamp_ns_ = -1;
+  std::atomic<bool> paused_{false};
+  std::mutex steps_mutex_;  ///< guards the one below
+  std::deque<std::packaged_task<void()>> steps_;
   BoundedQueue<MappingMessages> queue_;
   std::thread thread_;
 };

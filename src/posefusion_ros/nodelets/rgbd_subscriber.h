@@ -5,10 +5,12 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "posefusion_ros/frame_assembler.h"
 #include "posefusion_ros/nodelets/input_config.h"
 #include "posefusion_ros/topic_watchdog.h"
+#include "posefusion_ros/trouble_log.h"
 
 namespace posefusion {
 
@@ -26,6 +28,9 @@ class RgbdSubscriber {
 
   /// Resolved names, for messages to people.
   const RgbdTopics& topics() const { return topics_; }
+
+  /// For diagnostics; on the node handle's callback queue only.
+  std::vector<TopicState> TopicStates() const { return watchdog_->States(SteadyNowS()); }
 
  private:
   void Subscribe(ros::NodeHandle& node, const RgbdTopics& topics, const InputConfig& config);

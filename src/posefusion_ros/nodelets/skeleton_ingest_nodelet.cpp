@@ -13,7 +13,9 @@
 #include "posefusion/skeleton/skeleton_checks.h"
 #include "posefusion/skeleton/skeleton_folder.h"
 #include "posefusion_ros/conversions.h"
+#include "posefusion_ros/keypoint_rate_meter.h"
 #include "posefusion_ros/nodelets/checked_nodelet.h"
+#include "posefusion_ros/nodelets/diagnostics.h"
 #include "posefusion_ros/nodelets/skeleton_ingest_config.h"
 #include "posefusion_ros/parameter_reader.h"
 #include "posefusion_ros/skeleton_conversions.h"
@@ -47,6 +49,21 @@ class SkeletonIngestNodelet : public CheckedNodelet {
     images_topic_ = node.resolveName(images);
     images_ = node.subscribe<sensor_msgs::Image>(
         images, QueueSize(), [this](const sensor_msgs::ImageConstPtr& image) { OnImage(image); });
+    diagnostics_ = std::make_unique<Diagnostics>(node, getPrivateNodeHandle(), getName());
+    diagnostics_->Add("keypoints", [this](Diagnostics::Wrapper& entry) { DescribePace(entry); });
+  }
+
+  void DescribePace(Diagnostics::Wrapper& entry) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const double rate_hz = rate_meter_.RateHz(SteadyNowS());
+    entry.add("rate [Hz]", rate_hz);
+    entry.add("delay [s]", rate_meter_.delay_s());
+    if (rate_hz > 0) {
+      entry.summaryf(diagnostic_msgs::DiagnosticStatus::OK, "%.1f per second", rate_hz);
+    } else {
+      entry.summary(diagnostic_msgs::DiagnosticStatus::WARN,
+                    "no keypoints come" + (topic_.empty() ? topic_ : " on " + topic_));
+    }
   }
 
   std::uint32_t QueueSize() const {
@@ -144,6 +161,7 @@ class SkeletonIngestNodelet : public CheckedNodelet {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       header.frame_id = camera_frame_;
+      rate_meter_.Note(SteadyNowS(), (ros::Time::now() - header.stamp).toSec());
     }
     skeletons_.publish(ToSkeletonsMessage(skeletons, header));
   }
@@ -175,12 +193,14 @@ class SkeletonIngestNodelet : public CheckedNodelet {
   TroubleLog trouble_{kErrorPeriodS,
                       [this](const std::string& text) { NODELET_ERROR_STREAM(text); },
                       [this](const std::string& text) { NODELET_INFO_STREAM(text); }};
-  std::mutex mutex_;  ///< guards the one below
+  std::mutex mutex_;  ///< guards those below
   std::string camera_frame_;
+  KeypointRateMeter rate_meter_;
   ros::Publisher skeletons_;
   std::unique_ptr<PoseNetworkThread> network_thread_;  // uses what is above
   ros::Subscriber messages_;
-  ros::Subscriber images_;  // last: nothing comes while the rest ends
+  ros::Subscriber images_;  // nothing comes while the rest ends
+  std::unique_ptr<Diagnostics> diagnostics_;
 };
 
 }  // namespace posefusion
