@@ -50,6 +50,21 @@ TEST(ImageMotion, FindsShiftsWithinAPixel) {
   }
 }
 
+TEST(ImageMotion, DoesNotRunAwayWhereNothingMatches) {
+  constexpr double kLongestPx = 200;  // of content that went beyond reach
+  constexpr double kNoisePx = 20;     // of a wall
+  ImageMotion motion;
+  motion.Next(Grey(RoomImage(1)));
+  for (int i = 2; i < 12; ++i) {
+    EXPECT_LT(cv::norm(motion.Next(Grey(RoomImage(i))), cv::NORM_INF), kLongestPx) << i;
+  }
+  motion.Next(Grey(WithNoise(WallImage(), 2, 0)));
+  for (int i = 1; i < 12; ++i) {
+    const cv::Mat wall = Grey(WithNoise(WallImage(), 2, i));
+    EXPECT_LT(cv::norm(motion.Next(wall), cv::NORM_INF), kNoisePx) << i;
+  }
+}
+
 TEST(ImageMotion, KnowsNothingOfTheFirstImageAndOtherSizes) {
   ImageMotion motion;
   motion.Next(Grey(RoomImage(1)));

@@ -72,7 +72,7 @@ class BlurFilter {
   /// @throws std::invalid_argument naming the key for a value out of range.
   explicit BlurFilter(const BlurFilterConfig& config);
 
-  /// Judges the next frame's colour image (CV_8UC3, R G B); 2 ms for 640x480.
+  /// Judges the next frame's colour image (CV_8UC3, R G B); 4 ms for 640x480.
   /// @throws std::invalid_argument for an empty image or another type.
   BlurDecision Judge(const cv::Mat& rgb, StampNs stamp_ns);
 

@@ -12,10 +12,10 @@ namespace posefusion {
 namespace {
 
 constexpr double kMaxGapS = 0.2;
-constexpr double kUnknownPx = 0.5;  ///< of an image that has none before it
-constexpr int kSampleStride = 4;    ///< pixels of the motion field
+constexpr double kUnknownPx = 0.5;   ///< of an image that has none before it
+constexpr int kSampleStride = 4;     ///< pixels of the motion field
 constexpr double kSameContrast = 4;  ///< a larger ratio of CoarseContrast is another light
-constexpr double kSuddenPx2 = 80;   ///< growth of a sharp image that is blurred by 9 px, and more
+constexpr double kSuddenPx2 = 80;    ///< growth of a sharp image that is blurred by 9 px, and more
 
 // The numbers below were found together as those of the best recall at 1 % false drops over ten
 // simulated runs of hrp_loop and hrp_falls (evaluate_blur).

@@ -25,14 +25,15 @@ struct BlurEstimate {
 ///   good for a knock, but the sum drifts, and there is none where nothing has texture.
 /// Both are combined for the camera as by a Kalman filter whose state are the squares of the
 /// components of l. What moves otherwise, such as a person close by, has the length of its own
-/// motion. The median over the image is the result. What is in view plays no part: a scene of less texture has not grown
-/// blurred. Images come in stamp order. The same images give the same lengths. Not thread-safe.
+/// motion. The median over the image is the result. What is in view plays no part: a scene of less
+/// texture has not grown blurred. Images come in stamp order. The same images give the same
+/// lengths. Not thread-safe.
 class BlurLength {
  public:
   explicit BlurLength(double exposure_s) : exposure_s_(exposure_s) {}
 
-  /// The next image (CV_8UC1). Its length is taken to be small for the first, and for one
-  /// after a gap of more than 0.2 s, after a step back in time, of another size or in another light.
+  /// The next image (CV_8UC1). Its length is taken to be small for the first, and for one after a
+  /// gap of more than 0.2 s, after a step back in time, of another size or in another light.
   BlurEstimate Next(const cv::Mat& grey, StampNs stamp_ns);
 
   /// The next image does not follow on another: nothing could be seen in the last.

@@ -12,8 +12,8 @@ namespace {
 constexpr int kTile = ShiftProposals::kTile;
 constexpr int kTileColumns = 4;
 constexpr int kTileRows = 3;
-constexpr double kMinDeviation = 1.5;   ///< grey levels: four times what noise leaves
-constexpr double kMinResponse = 0.1;    ///< share of the correlation that its peak holds
+constexpr double kMinDeviation = 1.5;  ///< grey levels: four times what noise leaves
+constexpr double kMinResponse = 0.1;   ///< share of the correlation that its peak holds
 constexpr int kPeakRadius = 2;
 
 /// The product of the spectra with all amplitudes made 1, so that only phases count.
