@@ -89,9 +89,9 @@ std::string ReportJson(const OfflineRun& run, const SystemConfig& config,
   report["odometry_prior"] = {{"used", priors(PriorUse::kUsed)},
                               {"contradicted", priors(PriorUse::kContradicted)},
                               {"distrusted", priors(PriorUse::kDistrusted)}};
-  report["keyframes"] = 0;
+  report["keyframes"] = run.num_keyframes;
   report["loops"] = {{"local", 0}, {"global", 0}};
-  report["relocalisations"] = 0;
+  report["relocalisations"] = run.num_relocalisations;
   report["surfels"] = run.num_surfels;
   report["surfels_exported"] = run.map.size();
   report["stage_ms"] = Json::object();

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <opencv2/core.hpp>
 #include <stdexcept>
+#include <vector>
 
 #include "test/support/rendered_source.h"
 
@@ -118,6 +120,101 @@ TEST(Slam, ALeapIsFoundOrLostButNeverMistaken) {
           << leap_m << " m, " << turn_rad << " rad";
     }
   }
+}
+
+/// Small images: what is level 3 of 640x480 is level 1 of 160x120.
+SlamConfig WithRelocalisation(bool enabled = true) {
+  SlamConfig config;
+  config.relocalisation.enabled = enabled;
+  config.relocalisation.ferns.level = 1;
+  return config;
+}
+
+/// Maps a part of the room, loses the camera for a second, and gives it back at `T_map_return`.
+class CoveredCamera {
+ public:
+  static constexpr int kNumReturned = 15;
+
+  std::vector<FrameResult> Run(Slam& slam, const Eigen::Isometry3d& T_map_return) {
+    for (int i = 0; i < 60; ++i) EXPECT_TRUE(slam.ProcessFrame(Frame(Sweep(i))).HasPose()) << i;
+    for (int i = 0; i < 30; ++i) {
+      EXPECT_FALSE(slam.ProcessFrame(WithoutDepth(Frame(Sweep(60)))).HasPose()) << i;
+    }
+    std::vector<FrameResult> results;
+    for (int i = 0; i < kNumReturned; ++i) {
+      results.push_back(slam.ProcessFrame(Frame(T_map_return)));
+    }
+    return results;
+  }
+
+  /// There and back again through a part of the room.
+  static Eigen::Isometry3d Sweep(int i) {
+    const double s = std::sin(i * 0.105);
+    return testing::LookAlong({-1.2 + 0.005 * i, 0.3 * s, 0.2}, 0.35 * s, 0.3);
+  }
+
+  static double ErrorM(const Slam& slam, const Eigen::Isometry3d& T_estimate,
+                       const Eigen::Isometry3d& T_map_camera) {
+    const Eigen::Isometry3d truth = Sweep(0).inverse() * T_map_camera;
+    const Eigen::Isometry3d estimate =
+        slam.trajectory().front().T_map_camera.inverse() * T_estimate;
+    return (truth.translation() - estimate.translation()).norm();
+  }
+
+ private:
+  RgbdFrame Frame(const Eigen::Isometry3d& T_map_camera) {
+    stamp_ns_ += testing::kRenderedInterval;
+    return room_.Render(testing::SmallCamera(), T_map_camera, stamp_ns_);
+  }
+
+  testing::RenderedRoom room_ = testing::RenderedRoom::Furnished();
+  StampNs stamp_ns_ = 0;
+};
+
+/// 40 cm and 15 degrees from where the view was lost.
+const Eigen::Isometry3d kReturn = testing::LookAlong({-0.95, -0.4, 0.2}, -0.27, 0.3);
+
+TEST(Slam, FindsACameraAgainThatMovedOnWhileItWasCovered) {
+  Slam slam(WithRelocalisation(), kTwoThreads);
+  const std::vector<FrameResult> results = CoveredCamera().Run(slam, kReturn);
+  int first = 0;
+  while (first < CoveredCamera::kNumReturned && !results[static_cast<std::size_t>(first)].HasPose())
+    ++first;
+  ASSERT_LE(first, 5);
+  EXPECT_TRUE(results[static_cast<std::size_t>(first)].relocalised);
+  EXPECT_FALSE(results[static_cast<std::size_t>(first)].fused);
+  for (auto i = static_cast<std::size_t>(first); i < results.size(); ++i) {
+    ASSERT_TRUE(results[i].HasPose()) << i;
+    EXPECT_LT(CoveredCamera::ErrorM(slam, results[i].tracking.T_map_camera, kReturn), 0.01) << i;
+  }
+  EXPECT_TRUE(results.back().fused);
+}
+
+TEST(Slam, StaysLostWithoutRelocalisation) {
+  Slam slam(WithRelocalisation(false), kTwoThreads);
+  EXPECT_FALSE(CoveredCamera().Run(slam, kReturn).back().HasPose());
+}
+
+TEST(Slam, NeverFindsTheCameraWhereItHasNotBeen) {
+  for (const double yaw_rad : {3.1, 2.2, -2.4}) {
+    Slam slam(WithRelocalisation(), kTwoThreads);
+    const auto results =
+        CoveredCamera().Run(slam, testing::LookAlong({-0.9, 0, 0.2}, yaw_rad, 0.3));
+    for (const FrameResult& result : results) EXPECT_FALSE(result.HasPose()) << yaw_rad;
+  }
+}
+
+TEST(Slam, RelocalisesTheSameWithAnyNumberOfThreads) {
+  Slam one(WithRelocalisation(), 1);
+  Slam two(WithRelocalisation(), kTwoThreads);
+  const auto results_one = CoveredCamera().Run(one, kReturn);
+  const auto results_two = CoveredCamera().Run(two, kReturn);
+  for (std::size_t i = 0; i < results_one.size(); ++i) {
+    EXPECT_EQ(results_one[i].relocalised, results_two[i].relocalised);
+    EXPECT_TRUE(results_one[i].tracking.T_map_camera.matrix() ==
+                results_two[i].tracking.T_map_camera.matrix());
+  }
+  EXPECT_EQ(one.NumSurfels(), two.NumSurfels());
 }
 
 TEST(Slam, WaitsForTheFirstFrameWithDepth) {

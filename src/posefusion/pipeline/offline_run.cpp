@@ -39,6 +39,7 @@ class Runner {
     const FrameResult result = slam_.ProcessFrame(frame, FindPeople(frame), HintsFor(frame));
     std::vector<StageTime> times = clock_.times();
     times.insert(times.end(), result.stage_times.begin(), result.stage_times.end());
+    if (result.relocalised) ++run_.num_relocalisations;
     if (result.HasPose()) {
       run_.trajectory_live.push_back({frame.stamp_ns, result.tracking.T_map_camera});
       ++run_.priors[result.tracking.prior];
@@ -50,6 +51,7 @@ class Runner {
     run_.trajectory = slam_.trajectory();
     run_.map = slam_.ExportMap(slam_.config().export_min_confidence);
     run_.num_surfels = slam_.NumSurfels();
+    run_.num_keyframes = slam_.NumKeyframes();
     if (human_remover_) run_.keypoints = human_remover_->counts();
   }
 

@@ -35,6 +35,8 @@ struct OfflineRun {
   std::map<std::string, std::vector<double>> stage_ms;  ///< a sample per frame
   std::vector<double> frame_ms;                         ///< all stages of a frame, no decoding
   std::size_t num_surfels = 0;                          ///< in the map, exported or not
+  int num_keyframes = 0;                                ///< views remembered for relocalisation
+  int num_relocalisations = 0;  ///< how often the camera was lost and found again by them
   double wall_s = 0;
   std::vector<std::string> errors;  ///< of frames and keypoints that could not be read or used
   int num_bad_frames = 0;           ///< frames among the errors

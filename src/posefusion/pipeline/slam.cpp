@@ -8,6 +8,7 @@
 
 #include "posefusion/common/parallel.h"
 #include "posefusion/image/rectifier.h"
+#include "posefusion/loop_closure/relocaliser.h"
 #include "posefusion/pipeline/start_pose.h"
 #include "posefusion/surfel/fusion.h"
 #include "posefusion/tracking/odometry_motion.h"
@@ -28,6 +29,9 @@ struct Slam::State {
     odometry.emplace(config.tracking.prior);
     fuser.emplace(config.fusion, config.depth_noise);
     splatter.emplace(config.splat, config.depth_noise);
+    small_splatter.reset();
+    relocaliser.emplace(config.relocalisation, config.tracking, config.pyramid, config.depth_noise);
+    fusion_pause_frames = 0;
     map.emplace(config.surfel_map);
     view = ModelView();
     trajectory.clear();
@@ -45,9 +49,14 @@ struct Slam::State {
   std::optional<OdometryMotion> odometry;
   std::optional<Fuser> fuser;
   std::optional<Splatter> splatter;
+  std::optional<Splatter> small_splatter;
+  std::optional<Relocaliser> relocaliser;
   std::optional<SurfelMap> map;
   FramePyramid pyramid;
-  ModelView view;
+  ModelView view;        ///< from the last pose
+  ModelView found_view;  ///< from poses where the camera may be
+  ModelView small_view;  ///< the same in the resolution of the ferns
+  int fusion_pause_frames = 0;
   Trajectory trajectory;
   std::optional<StampNs> last_stamp_ns;
   StageClock clock;
@@ -58,6 +67,11 @@ struct Slam::State {
   TrackingResult Track(const FrameHints& hints);
   TrackingResult Follow(const std::optional<MotionPrior>& prior);
   bool IsFar(const MotionPrior& prior) const;
+  void Relocalise(FrameResult& result);
+  SplatConfig SmallSplat() const;
+  bool MayFuse();
+  void NoteTracked(const TrackingResult& tracking);
+  void Draw(const Eigen::Isometry3d& T_map_camera, Splatter& with, ModelView& drawn);
   void FuseInto(const TrackingResult& tracking);
   void Predict();
   void PredictFrom(const Eigen::Isometry3d& T_map_camera);
@@ -139,16 +153,63 @@ void Slam::State::FuseInto(const TrackingResult& tracking) {
   fuser->Fuse(pyramid, poses, weight, parallel, *map);
 }
 
+void Slam::State::Draw(const Eigen::Isometry3d& T_map_camera, Splatter& with, ModelView& drawn) {
+  const StampNs window = StampFromSeconds(config.fusion.time_window_s);
+  with.Render(*map, rectified.camera, T_map_camera, map->FirstFrameSince(pyramid.stamp_ns - window),
+              parallel, drawn);
+  BuildIntensityLevels(config.pyramid.num_levels, parallel, drawn);
+}
+
 void Slam::State::Predict() {
   const auto scope = clock.Measure("predict");
   PredictFrom(tracker->T_map_camera());
 }
 
 void Slam::State::PredictFrom(const Eigen::Isometry3d& T_map_camera) {
-  const StampNs window = StampFromSeconds(config.fusion.time_window_s);
-  splatter->Render(*map, rectified.camera, T_map_camera,
-                   map->FirstFrameSince(pyramid.stamp_ns - window), parallel, view);
-  BuildIntensityLevels(config.pyramid.num_levels, parallel, view);
+  Draw(T_map_camera, *splatter, view);
+}
+
+SplatConfig Slam::State::SmallSplat() const {
+  SplatConfig small = config.splat;
+  small.level =
+      std::min(config.relocalisation.ferns.level, static_cast<int>(pyramid.levels.size()) - 1);
+  return small;
+}
+
+/// Looks for a lost camera where it has been before, and goes on from there when it is found.
+void Slam::State::Relocalise(FrameResult& result) {
+  if (!config.relocalisation.enabled || map->NumSurfels() == 0) return;
+  const auto scope = clock.Measure("relocalise");
+  if (!small_splatter) small_splatter.emplace(SmallSplat(), config.depth_noise);
+  MapViews views;
+  views.small = [this](const Eigen::Isometry3d& T_map_camera) -> const ModelView& {
+    Draw(T_map_camera, *small_splatter, small_view);
+    return small_view;
+  };
+  views.normal = [this](const Eigen::Isometry3d& T_map_camera) -> const ModelView& {
+    Draw(T_map_camera, *splatter, found_view);
+    return found_view;
+  };
+  const auto found = relocaliser->Find(pyramid, views, parallel, *tracker);
+  if (!found) return;
+  tracker->Resume(pyramid, *found);
+  odometry->NoteTracked();
+  fusion_pause_frames = config.relocalisation.fusion_delay_frames;
+  result.tracking = *found;
+  result.relocalised = true;
+}
+
+/// Right after a relocalisation frames are not fused: tracking shows first that it can go on.
+bool Slam::State::MayFuse() {
+  if (fusion_pause_frames == 0) return true;
+  --fusion_pause_frames;
+  return false;
+}
+
+void Slam::State::NoteTracked(const TrackingResult& tracking) {
+  if (!config.relocalisation.enabled) return;
+  const auto scope = clock.Measure("keyframe");
+  relocaliser->NoteTracked(pyramid, tracking);
 }
 
 Slam::Slam(const SlamConfig& config, int num_threads) {
@@ -170,11 +231,13 @@ FrameResult Slam::ProcessFrame(const RgbdFrame& frame, const PeopleInFrame& peop
   FrameResult result;
   result.stamp_ns = frame.stamp_ns;
   result.tracking = s.Track(hints);
+  if (!result.HasPose()) s.Relocalise(result);
   if (result.HasPose()) {
-    s.FuseInto(result.tracking);
+    result.fused = s.MayFuse();
+    if (result.fused) s.FuseInto(result.tracking);
     s.Predict();
+    s.NoteTracked(result.tracking);
     s.trajectory.push_back({frame.stamp_ns, result.tracking.T_map_camera});
-    result.fused = true;
   }
   result.stage_times = s.clock.times();
   return result;
@@ -203,6 +266,8 @@ SurfelCloud Slam::ExportMap(double min_confidence) const {
 }
 
 std::size_t Slam::NumSurfels() const { return state_->map->NumSurfels(); }
+
+int Slam::NumKeyframes() const { return state_->relocaliser->num_keyframes(); }
 
 cv::Mat Slam::ModelImage() const {
   State& s = *state_;

@@ -27,7 +27,8 @@ struct FrameHints {
 struct FrameResult {
   StampNs stamp_ns = 0;
   TrackingResult tracking;
-  bool fused = false;
+  bool relocalised = false;  ///< tracking had failed; the pose was found among the keyframes
+  bool fused = false;        ///< not for lost frames, nor for the first ones after a relocalisation
   std::vector<StageTime> stage_times;
 
   bool HasPose() const { return tracking.health != TrackingHealth::kFailed; }
@@ -69,6 +70,9 @@ class Slam {
 
   /// Number of surfels in the map, stable or not.
   std::size_t NumSurfels() const;
+
+  /// Number of views remembered for relocalisation.
+  int NumKeyframes() const;
 
   /// The map seen from the last pose: CV_8UC3 R G B, black where nothing is. Empty before the first
   /// frame.

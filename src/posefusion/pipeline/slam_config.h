@@ -3,6 +3,7 @@
 #include "posefusion/config/config.h"
 #include "posefusion/image/depth_noise.h"
 #include "posefusion/image/frame_pyramid.h"
+#include "posefusion/loop_closure/relocalisation_config.h"
 #include "posefusion/surfel/fusion_config.h"
 #include "posefusion/surfel/splatter.h"
 #include "posefusion/surfel/surfel_map.h"
@@ -15,6 +16,7 @@ struct SlamConfig {
   DepthNoiseConfig depth_noise;
   PyramidConfig pyramid;
   TrackingConfig tracking;
+  RelocalisationConfig relocalisation;
   SurfelMapConfig surfel_map;
   FusionConfig fusion;
   SplatConfig splat;
@@ -28,6 +30,7 @@ void Describe(V& v, SlamConfig& c) {
   v.Group("depth_noise", c.depth_noise);
   v.Group("pyramid", c.pyramid);
   v.Group("tracking", c.tracking);
+  v.Group("relocalisation", c.relocalisation);
   v.Group("surfel_map", c.surfel_map);
   v.Group("fusion", c.fusion);
   v.Group("splat", c.splat);

@@ -9,6 +9,7 @@
 #include "posefusion/segmentation/background_surfaces.h"
 #include "posefusion/segmentation/carried_people.h"
 #include "posefusion/segmentation/cell_grid.h"
+#include "posefusion/segmentation/near_people.h"
 
 namespace posefusion {
 
@@ -22,6 +23,7 @@ struct PastFrame {
   cv::Mat motion;  ///< from the frame before (MotionField); empty for the first frame
   CellPeople people;
   std::vector<Plane> planes;  ///< large background surfaces
+  NearPeople near_people;
 };
 
 /// The last frames, oldest first, for keypoints that come late. Reuses the memory of those that it

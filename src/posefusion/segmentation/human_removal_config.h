@@ -5,6 +5,7 @@
 #include "posefusion/segmentation/cell_grid.h"
 #include "posefusion/segmentation/mask_refinement.h"
 #include "posefusion/segmentation/min_cut.h"
+#include "posefusion/segmentation/near_people.h"
 #include "posefusion/segmentation/person_region.h"
 #include "posefusion/segmentation/person_tracks.h"
 #include "posefusion/segmentation/seeds.h"
@@ -32,6 +33,7 @@ struct HumanRemovalConfig {
   MaskRefinementConfig mask;
   CarryConfig carry;
   PersonHoldConfig hold;
+  NearPeopleConfig near_people;
 };
 
 template <class V>
@@ -48,6 +50,7 @@ void Describe(V& v, HumanRemovalConfig& c) {
   v.Group("mask", c.mask);
   v.Group("carry", c.carry);
   v.Group("hold", c.hold);
+  v.Group("near_people", c.near_people);
 }
 
 }  // namespace posefusion

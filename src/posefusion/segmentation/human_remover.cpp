@@ -1,5 +1,6 @@
 #include "posefusion/segmentation/human_remover.h"
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <utility>
@@ -36,6 +37,7 @@ struct HumanRemover::State {
   const Skeletons* Newest(const std::vector<Skeletons>& arrived);
   void ForgetWhatIsTooOld(StampNs now_ns);
   void CarryInto(std::size_t index);
+  void FindNear(std::size_t index, const Skeletons* skeletons);
   void CutAt(std::size_t index, const Skeletons* skeletons, cv::Mat& mask);
   void CutSkeletons(PastFrame& entry, const Skeletons& skeletons, double time_s);
   void MarkSure(const PastFrame& entry);
@@ -198,6 +200,15 @@ void HumanRemover::State::CutCarried(PastFrame& entry, double time_s, bool by_ke
   KeepCuts(carried);
 }
 
+/// People who are too near to be measured stay where the frame before saw them.
+void HumanRemover::State::FindNear(std::size_t index, const Skeletons* skeletons) {
+  PastFrame& entry = history[index];
+  const bool is_carried = index > 0 && config.policy != KeypointPolicy::kPass;
+  entry.near_people = FindNearPeople(entry.cells, skeletons,
+                                     is_carried ? history[index - 1].near_people : NearPeople(),
+                                     Time(entry.frame.stamp_ns), config.near_people);
+}
+
 void HumanRemover::State::CutAt(std::size_t index, const Skeletons* skeletons, cv::Mat& mask) {
   PastFrame& entry = history[index];
   const double time_s = Time(entry.frame.stamp_ns);
@@ -208,6 +219,8 @@ void HumanRemover::State::CutAt(std::size_t index, const Skeletons* skeletons, c
   CutCarried(entry, time_s, by_keypoints);
   UpdatePeople(by_keypoints ? &seen : nullptr, carried, entry.cells, time_s, tracks, entry.people);
   MarkPeople(entry.people, cell_mask);
+  FindNear(index, skeletons);
+  if (!entry.near_people.cells.empty()) cell_mask.setTo(255, entry.near_people.cells);
   cutter->Refine(entry.frame, cell_mask, mask);
 }
 
@@ -246,11 +259,17 @@ HumanCut HumanRemover::Process(const RgbdFrame& frame, const std::vector<Skeleto
   if (newest != nullptr && !result.has_own_keypoints) {
     const std::size_t then = s.history.Find(newest->stamp_ns);
     s.CutAt(then, newest, s.past_mask);
-    for (std::size_t index = then + 1; index < last; ++index) s.CarryInto(index);
+    for (std::size_t index = then + 1; index < last; ++index) {
+      s.CarryInto(index);
+      s.FindNear(index, nullptr);
+    }
   }
   s.CarryInto(last);
   s.CutAt(last, result.has_own_keypoints ? newest : nullptr, result.mask);
   result.num_people = s.CountPeople(s.history[last].people);
+  if (!s.history[last].near_people.cells.empty()) {
+    result.num_people = std::max(result.num_people, 1);
+  }
   if (s.newest_keypoints_ns) {
     result.mask_age_s = SecondsBetween(*s.newest_keypoints_ns, frame.stamp_ns);
   }

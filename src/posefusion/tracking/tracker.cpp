@@ -86,6 +86,23 @@ TrackingResult Tracker::Track(const FramePyramid& frame, const ModelView& view,
   return result;
 }
 
+TrackingResult Tracker::Relocate(const FramePyramid& frame, const ModelView& view,
+                                 const Eigen::Isometry3d& T_map_guess,
+                                 const ParallelRunner& parallel) {
+  Aligner::Start start;
+  start.T_view_camera = {view.T_map_camera.inverse() * T_map_guess};
+  return Judge(aligner_.Align(frame, view, start, parallel), view, std::nullopt, false);
+}
+
+void Tracker::Resume(const FramePyramid& frame, const TrackingResult& result) {
+  T_map_camera_ = result.T_map_camera;
+  T_last_step_.setIdentity();
+  T_color_depth_.setIdentity();
+  covariance_ = result.covariance;
+  recent_.clear();
+  Remember(frame);
+}
+
 Tracker::Outcome Tracker::TrackFrom(const Task& task, const Aligner::Start& start) {
   Outcome outcome;
   outcome.alignment = aligner_.Align(task.frame, task.view, start, task.parallel);
@@ -167,8 +184,8 @@ std::vector<Eigen::Isometry3d> Tracker::Guesses(const FramePyramid& frame,
 /// After a gap or a jump Gauss-Newton may settle on a wrong pose that still has many inliers; both
 /// their share and the intensities then fit much worse than they have done just before. After a
 /// long gap every pose within reach is as likely as another, unless a prior confirms it, and a good
-/// one fits in both.
-bool Tracker::FitsLikeRecentFrames(const TrackingResult& result, bool either_is_enough) const {
+/// one fits in both. Where the map covers less of the image than before, only intensities can tell.
+bool Tracker::FitsLikeRecentFrames(const TrackingResult& result, FitDemand demand) const {
   constexpr std::size_t kEnoughFrames = 5;
   if (recent_fits_.size() < kEnoughFrames) return true;
   std::vector<double> inliers;
@@ -180,7 +197,16 @@ bool Tracker::FitsLikeRecentFrames(const TrackingResult& result, bool either_is_
   const double residual = std::max(Quantile(residuals, 0.5), config_.intensity_sigma_floor);
   const bool inliers_fit = result.inlier_ratio >= config_.min_fit_inliers * Quantile(inliers, 0.5);
   const bool intensities_fit = result.intensity_rms <= config_.max_fit_residual * residual;
-  return either_is_enough ? inliers_fit || intensities_fit : inliers_fit && intensities_fit;
+  if (demand == FitDemand::kIntensities) {
+    return result.intensity_rms <= config_.max_moved_residual * residual;
+  }
+  return demand == FitDemand::kEither ? inliers_fit || intensities_fit
+                                      : inliers_fit && intensities_fit;
+}
+
+Tracker::FitDemand Tracker::DemandAfter(std::optional<double> elapsed_s, bool is_confirmed) const {
+  if (!elapsed_s) return FitDemand::kIntensities;
+  return is_confirmed || *elapsed_s <= config_.gap_s ? FitDemand::kEither : FitDemand::kBoth;
 }
 
 bool Tracker::IsPlausibleStep(const Eigen::Isometry3d& T_map_camera, double elapsed_s) const {
@@ -190,8 +216,9 @@ bool Tracker::IsPlausibleStep(const Eigen::Isometry3d& T_map_camera, double elap
              config_.max_step_rad + config_.max_speed_radps * elapsed_s;
 }
 
-TrackingResult Tracker::Judge(const Alignment& alignment, const ModelView& view, double elapsed_s,
-                              bool is_confirmed) const {
+/// Without elapsed time the pose may lie anywhere.
+TrackingResult Tracker::Judge(const Alignment& alignment, const ModelView& view,
+                              std::optional<double> elapsed_s, bool is_confirmed) const {
   TrackingResult result;
   result.T_map_camera = view.T_map_camera * alignment.T_view_camera;
   result.valid_ratio = alignment.valid_ratio;
@@ -212,9 +239,9 @@ TrackingResult Tracker::Judge(const Alignment& alignment, const ModelView& view,
     result.failure = "too few inliers";
   } else if (alignment.icp_scale > config_.max_icp_rms_sigmas) {
     result.failure = "residuals too large";
-  } else if (!IsPlausibleStep(result.T_map_camera, elapsed_s)) {
+  } else if (elapsed_s && !IsPlausibleStep(result.T_map_camera, *elapsed_s)) {
     result.failure = "implausible jump";
-  } else if (!FitsLikeRecentFrames(result, is_confirmed || elapsed_s <= config_.gap_s)) {
+  } else if (!FitsLikeRecentFrames(result, DemandAfter(elapsed_s, is_confirmed))) {
     result.failure = "fits much worse than before";
   }
   if (result.failure[0] != '\0') return result;

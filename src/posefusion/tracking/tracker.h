@@ -28,6 +28,15 @@ class Tracker {
                        const ParallelRunner& parallel,
                        const std::optional<MotionPrior>& prior = std::nullopt);
 
+  /// Aligns a frame, starting from `T_map_guess`, to a view of any part of the map, and judges the
+  /// result wherever it lies: it must fit like recent frames as far as the map goes there. The
+  /// tracker's state stays as it is.
+  TrackingResult Relocate(const FramePyramid& frame, const ModelView& view,
+                          const Eigen::Isometry3d& T_map_guess, const ParallelRunner& parallel);
+
+  /// Goes on from a pose that Relocate has found for this frame.
+  void Resume(const FramePyramid& frame, const TrackingResult& result);
+
   /// Where the camera was when the last frame's depth was measured, seen from the last pose.
   const Eigen::Isometry3d& T_color_depth() const { return T_color_depth_; }
 
@@ -52,6 +61,10 @@ class Tracker {
     bool tracked() const { return result.health != TrackingHealth::kFailed; }
   };
 
+  /// In what a frame must fit like recent ones.
+  enum class FitDemand { kEither, kBoth, kIntensities };
+
+  FitDemand DemandAfter(std::optional<double> elapsed_s, bool is_confirmed) const;
   Outcome TrackFrom(const Task& task, const Aligner::Start& start);
   TrackingResult TrackWithPrior(const Task& task, const Aligner::Start& start,
                                 const PosePrior& prior);
@@ -59,9 +72,9 @@ class Tracker {
   PosePrior InView(const MotionPrior& prior, const Eigen::Isometry3d& T_view_last) const;
   std::vector<Eigen::Isometry3d> Guesses(const FramePyramid& frame,
                                          const Eigen::Isometry3d& T_view_last) const;
-  TrackingResult Judge(const Alignment& alignment, const ModelView& view, double elapsed_s,
-                       bool is_confirmed) const;
-  bool FitsLikeRecentFrames(const TrackingResult& result, bool either_is_enough) const;
+  TrackingResult Judge(const Alignment& alignment, const ModelView& view,
+                       std::optional<double> elapsed_s, bool is_confirmed) const;
+  bool FitsLikeRecentFrames(const TrackingResult& result, FitDemand demand) const;
   Matrix6d CovarianceInMap(const Alignment& alignment, const ModelView& view) const;
   bool IsPlausibleStep(const Eigen::Isometry3d& T_map_camera, double elapsed_s) const;
   Vector6d Velocity() const;

@@ -55,17 +55,18 @@ struct TrackingConfig {
   double min_inlier_ratio = 0.25;       ///< below, the frame is not tracked
   double min_valid_ratio = 0.05;        ///< share of pixels with depth below which nothing is tried
   double max_icp_rms_sigmas = 10.0;     ///< residuals of more depth noise sigmas: not tracked
-  int fit_window_frames = 30;      ///< a frame that fits worse than the last so many good ones: ...
-  double min_fit_inliers = 0.8;    ///< ... inlier ratio below this share of their median ...
-  double max_fit_residual = 3.0;   ///< ... and intensity residual above this multiple: not tracked;
-  double gap_s = 0.3;              ///< so long after the last good one, either is enough for that
-  double max_step_m = 0.2;         ///< larger motion since the last good frame is not believed ...
-  double max_speed_mps = 3.0;      ///< ... plus this times the time since then
-  double max_step_rad = 0.4;       ///< nor larger rotation ...
-  double max_speed_radps = 6.0;    ///< ... plus this times the time since then
-  double weak_sigma_m = 0.02;      ///< pose uncertain by more than this: health kWeak ...
-  double max_sigma_m = 0.04;       ///< ... and by more than this: not tracked
-  double covariance_scale = 30.0;  ///< neighbouring pixels' errors are alike: multiplies A^-1
+  int fit_window_frames = 30;     ///< a frame that fits worse than the last so many good ones: ...
+  double min_fit_inliers = 0.8;   ///< ... inlier ratio below this share of their median ...
+  double max_fit_residual = 3.0;  ///< ... and intensity residual above this multiple: not tracked;
+  double max_moved_residual = 1.7;  ///< (this multiple, of a pose found anywhere in the map)
+  double gap_s = 0.3;               ///< so long after the last good one, either is enough for that
+  double max_step_m = 0.2;          ///< larger motion since the last good frame is not believed ...
+  double max_speed_mps = 3.0;       ///< ... plus this times the time since then
+  double max_step_rad = 0.4;        ///< nor larger rotation ...
+  double max_speed_radps = 6.0;     ///< ... plus this times the time since then
+  double weak_sigma_m = 0.02;       ///< pose uncertain by more than this: health kWeak ...
+  double max_sigma_m = 0.04;        ///< ... and by more than this: not tracked
+  double covariance_scale = 30.0;   ///< neighbouring pixels' errors are alike: multiplies A^-1
 };
 
 template <class V>
@@ -101,6 +102,7 @@ void Describe(V& v, TrackingConfig& c) {
   v.Field("fit_window_frames", c.fit_window_frames, 1, 1000);
   v.Field("min_fit_inliers", c.min_fit_inliers, 0.0, 1.0);
   v.Field("max_fit_residual", c.max_fit_residual, 1.0, 1000.0);
+  v.Field("max_moved_residual", c.max_moved_residual, 1.0, 1000.0);
   v.Field("gap_s", c.gap_s, 0.0, 1000.0);
   v.Field("max_step_m", c.max_step_m, 0.0, 100.0);
   v.Field("max_speed_mps", c.max_speed_mps, 0.0, 100.0);
