@@ -9,7 +9,7 @@
 namespace posefusion {
 namespace {
 
-constexpr std::size_t kMinSeeds = 1;        ///< of one person
+constexpr std::size_t kMinSeeds = 2;        ///< of one person without a certain joint
 constexpr float kSeedDepth = 0.05F;         ///< metres from the cell that shows a seed
 constexpr std::size_t kMaxCellSeeds = 150;  ///< points that stand for certain cells
 
@@ -136,7 +136,8 @@ struct PersonCutter::Parts {
     kept.seeds.erase(std::remove_if(kept.seeds.begin(), kept.seeds.end(), is_on_background),
                      kept.seeds.end());
     const PersonRegion region = RegionOf(kept, cells, camera, config.region);
-    if (kept.seeds.size() < kMinSeeds || region.cells.empty()) return false;
+    if (region.cells.empty()) return false;
+    if (kept.seeds.size() < kMinSeeds && !person.has_certain_joint) return false;
     OpenRegion(region);
     problem.radius_m = config.min_cut.radius_m;
     problem.source_weight = config.min_cut.source_weight;
@@ -190,6 +191,7 @@ PersonSeeds PersonCutter::Parts::SeedsOf(const CellSeeds& seeds) const {
   }
   PersonSeeds person;
   person.found.fill(true);  // nothing is known to be missing
+  person.has_certain_joint = !places.empty();
   const std::size_t step = 1 + places.size() / kMaxCellSeeds;
   const float size = static_cast<float>(cells.size_px());
   std::vector<float> depths;

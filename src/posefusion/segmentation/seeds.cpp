@@ -201,7 +201,9 @@ class Lifting {
   void TakeJoints() {
     for (std::size_t i = 0; i < kNumCocoJoints; ++i) {
       result_.found[i] = joints_[i].has_value();
-      if (joints_[i]) result_.seeds.push_back(*joints_[i]);
+      if (!joints_[i]) continue;
+      result_.seeds.push_back(*joints_[i]);
+      if (skeleton_[i].p >= kCertain) result_.has_certain_joint = true;
     }
     result_.num_joints = static_cast<int>(result_.seeds.size());
   }
