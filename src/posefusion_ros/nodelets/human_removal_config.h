@@ -10,7 +10,7 @@ struct HumanRemovalRosConfig {
   InputConfig input;
   bool input_is_paired = true;        ///< the topics under sharp/ carry only pairs
   bool images_are_rectified = false;  ///< by the driver, though camera_info has distortion
-  int queue_size = 2;                 ///< frames that may wait; the oldest is dropped
+  int queue_size = 1;                 ///< frames that may wait; the oldest is dropped
   /// A frame waits so long for its keypoints, as long as those of nearly every frame come in time.
   double keypoint_grace_s = 0.03;
   double reset_after_jump_back_s = 0.5;  ///< stamps this far back mean that a bag was restarted

@@ -19,7 +19,7 @@ struct MappingRosConfig {
   /// Frames are taken with what HumanRemoval publishes for them, not as they come.
   bool human_removal = false;
   double human_removal_hold_s = 2.0;  ///< so long frames wait for HumanRemoval at most
-  int queue_size = 2;                 ///< frames that may wait for tracking; the oldest is dropped
+  int queue_size = 1;                 ///< frames that may wait for tracking; the oldest is dropped
   int num_threads = 2;                ///< for tracking and fusion
   double reset_after_jump_back_s = 0.5;  ///< stamps this far back mean that a bag was restarted
   TfConfig tf;
