@@ -75,7 +75,7 @@ TrackingResult Tracker::Track(const FramePyramid& frame, const ModelView& view,
   if (result.health != TrackingHealth::kFailed) {
     T_last_step_ = T_map_camera_.inverse() * result.T_map_camera;
     T_color_depth_ = start.T_color_depth;
-    recent_fits_.push_back({result.inlier_ratio, result.intensity_rms});
+    recent_fits_.push_back({result.inlier_ratio, result.intensity_rms, result.icp_sigmas});
     if (static_cast<int>(recent_fits_.size()) > config_.fit_window_frames) {
       recent_fits_.pop_front();
     }
@@ -187,21 +187,25 @@ std::vector<Eigen::Isometry3d> Tracker::Guesses(const FramePyramid& frame,
 /// one fits in both. Where the map covers less of the image than before, only intensities can tell.
 bool Tracker::FitsLikeRecentFrames(const TrackingResult& result, FitDemand demand) const {
   constexpr std::size_t kEnoughFrames = 5;
+  constexpr double kLeastIcpSigmas = 0.5;  // what the depth noise explains is no misfit
   if (recent_fits_.size() < kEnoughFrames) return true;
   std::vector<double> inliers;
   std::vector<double> residuals;
+  std::vector<double> distances;
   for (const Fit& fit : recent_fits_) {
     inliers.push_back(fit.inlier_ratio);
     residuals.push_back(fit.intensity_rms);
+    distances.push_back(fit.icp_sigmas);
   }
   const double residual = std::max(Quantile(residuals, 0.5), config_.intensity_sigma_floor);
   const bool inliers_fit = result.inlier_ratio >= config_.min_fit_inliers * Quantile(inliers, 0.5);
-  const bool intensities_fit = result.intensity_rms <= config_.max_fit_residual * residual;
+  const double distance = std::max(Quantile(distances, 0.5), kLeastIcpSigmas);
+  const bool residuals_fit = result.intensity_rms <= config_.max_fit_residual * residual &&
+                             result.icp_sigmas <= config_.max_fit_icp * distance;
   if (demand == FitDemand::kIntensities) {
     return result.intensity_rms <= config_.max_moved_residual * residual;
   }
-  return demand == FitDemand::kEither ? inliers_fit || intensities_fit
-                                      : inliers_fit && intensities_fit;
+  return demand == FitDemand::kEither ? inliers_fit || residuals_fit : inliers_fit && residuals_fit;
 }
 
 Tracker::FitDemand Tracker::DemandAfter(std::optional<double> elapsed_s, bool is_confirmed) const {
@@ -223,6 +227,7 @@ TrackingResult Tracker::Judge(const Alignment& alignment, const ModelView& view,
   result.T_map_camera = view.T_map_camera * alignment.T_view_camera;
   result.valid_ratio = alignment.valid_ratio;
   result.icp_rms_m = alignment.icp_rms_m;
+  result.icp_sigmas = alignment.icp_scale;
   result.intensity_rms = alignment.intensity_rms;
   result.num_icp_rows = alignment.num_icp_rows;
   result.num_intensity_rows = alignment.num_intensity_rows;

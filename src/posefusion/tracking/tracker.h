@@ -91,6 +91,7 @@ class Tracker {
   struct Fit {
     double inlier_ratio;
     double intensity_rms;
+    double icp_sigmas;
   };
 
   std::deque<Fit> recent_fits_;

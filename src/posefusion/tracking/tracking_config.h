@@ -58,6 +58,7 @@ struct TrackingConfig {
   int fit_window_frames = 30;     ///< a frame that fits worse than the last so many good ones: ...
   double min_fit_inliers = 0.8;   ///< ... inlier ratio below this share of their median ...
   double max_fit_residual = 3.0;  ///< ... and intensity residual above this multiple: not tracked;
+  double max_fit_icp = 2.0;       ///< ... and point-to-plane residual above this one
   double max_moved_residual = 1.7;  ///< (this multiple, of a pose found anywhere in the map)
   double gap_s = 0.3;               ///< so long after the last good one, either is enough for that
   double max_step_m = 0.2;          ///< larger motion since the last good frame is not believed ...
@@ -101,6 +102,7 @@ void Describe(V& v, TrackingConfig& c) {
   v.Field("max_icp_rms_sigmas", c.max_icp_rms_sigmas, 0.1, 1000.0);
   v.Field("fit_window_frames", c.fit_window_frames, 1, 1000);
   v.Field("min_fit_inliers", c.min_fit_inliers, 0.0, 1.0);
+  v.Field("max_fit_icp", c.max_fit_icp, 1.0, 1000.0);
   v.Field("max_fit_residual", c.max_fit_residual, 1.0, 1000.0);
   v.Field("max_moved_residual", c.max_moved_residual, 1.0, 1000.0);
   v.Field("gap_s", c.gap_s, 0.0, 1000.0);

@@ -31,11 +31,12 @@ struct TrackingResult {
   /// x y z (m^2) and rotation about x y z (rad^2), as REP-103.
   Matrix6d covariance = Matrix6d::Zero();
   TrackingHealth health = TrackingHealth::kFailed;
-  const char* failure = "";      ///< why the health is kFailed, empty otherwise
+  const char* failure = "";  ///< why the health is kFailed, empty otherwise
   PriorUse prior = PriorUse::kNone;
   double inlier_ratio = 0;       ///< share of the valid sampled pixels that fit the model
   double valid_ratio = 0;        ///< share of the sampled pixels with depth and not masked
   double icp_rms_m = 0;          ///< robust RMS of the point-to-plane residuals
+  double icp_sigmas = 0;         ///< the same over the depth noise
   double intensity_rms = 0;      ///< robust RMS of the photometric residuals, grey levels 0..255
   int num_icp_rows = 0;          ///< point-to-plane rows of the last iteration
   int num_intensity_rows = 0;    ///< photometric rows of the last iteration
