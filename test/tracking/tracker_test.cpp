@@ -52,7 +52,8 @@ class TrackerTest : public ::testing::Test {
   void Prepare(const RenderedRoom& room, const Eigen::Isometry3d& pose,
                const cv::Mat& mask = cv::Mat()) {
     stamp_ns_ += kFrameInterval;
-    builder_.Build(room.Render(testing::SmallCamera(), pose, stamp_ns_), {mask, {}}, parallel_, pyramid_);
+    builder_.Build(room.Render(testing::SmallCamera(), pose, stamp_ns_), {mask, {}}, parallel_,
+                   pyramid_);
   }
 
   TrackingResult Track(const RenderedRoom& room, const Eigen::Isometry3d& pose,
@@ -155,6 +156,27 @@ TEST_F(TrackerTest, NoDepthFailsAndTheNextFrameGoesOnFromTheLastGoodPose) {
   EXPECT_EQ(blind.health, TrackingHealth::kFailed);
   EXPECT_STREQ(blind.failure, "too little depth");
   ExpectPose(Track(RenderedRoom::Furnished(), kStart), kStart);
+}
+
+/// Somebody unmasked has pulled the pose away: what still fits lies centimetres off the map, while
+/// the intensities look well.
+TEST_F(TrackerTest, DistancesThatFitMuchWorseThanBeforeAreRefused) {
+  const RenderedRoom room = RenderedRoom::Furnished();
+  Start(room, kStart);
+  for (int i = 0; i < 6; ++i) ExpectPose(Track(room, kStart), kStart);
+  stamp_ns_ += kFrameInterval;
+  RgbdFrame frame = room.Render(testing::SmallCamera(), kStart, stamp_ns_);
+  for (int y = 0; y < frame.depth_m.rows; ++y) {
+    for (int x = 0; x < frame.depth_m.cols; ++x) {
+      const bool is_somebody = x < frame.depth_m.cols / 2;
+      const float off_m = (x / 16 + y / 16) % 2 == 0 ? 0.04F : -0.04F;
+      frame.depth_m.at<float>(y, x) += is_somebody ? -0.6F : off_m;
+    }
+  }
+  builder_.Build(frame, {}, parallel_, pyramid_);
+  const TrackingResult result = tracker_->Track(pyramid_, view_, parallel_);
+  EXPECT_EQ(result.health, TrackingHealth::kFailed) << result.icp_sigmas;
+  EXPECT_STREQ(result.failure, "fits much worse than before");
 }
 
 TEST_F(TrackerTest, AnotherPlaceIsNotMistakenForTheMap) {
