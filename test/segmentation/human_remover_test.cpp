@@ -154,15 +154,5 @@ TEST(HumanRemover, NamesTheKeyThatIsOutOfRange) {
   }
 }
 
-TEST(StaticDepth, HasNoDepthWherePeopleAre) {
-  const SyntheticScene scene;
-  const RgbdFrame frame = scene.Render();
-  const cv::Mat depth_m = StaticDepth(frame.depth_m, scene.TrueMask());
-  cv::Mat people;
-  depth_m.copyTo(people, scene.TrueMask());
-  EXPECT_EQ(cv::countNonZero(people), 0);
-  EXPECT_EQ(cv::countNonZero((depth_m != frame.depth_m) & ~scene.TrueMask()), 0);
-}
-
 }  // namespace
 }  // namespace posefusion

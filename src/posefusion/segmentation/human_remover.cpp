@@ -296,10 +296,4 @@ const std::vector<PersonSeeds>& HumanRemover::seeds() const { return state_->see
 const KeypointCounts& HumanRemover::counts() const { return state_->counts; }
 const HumanRemovalConfig& HumanRemover::config() const { return state_->config; }
 
-cv::Mat StaticDepth(const cv::Mat& depth_m, const cv::Mat& mask) {
-  cv::Mat static_depth_m = depth_m.clone();
-  static_depth_m.setTo(0, mask);
-  return static_depth_m;
-}
-
 }  // namespace posefusion

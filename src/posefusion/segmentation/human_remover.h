@@ -65,7 +65,4 @@ class HumanRemover {
   std::unique_ptr<State> state_;
 };
 
-/// Depth with people set to none; new memory. Types and sizes as in RgbdFrame and HumanCut.
-cv::Mat StaticDepth(const cv::Mat& depth_m, const cv::Mat& mask);
-
 }  // namespace posefusion

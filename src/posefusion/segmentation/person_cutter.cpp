@@ -280,7 +280,6 @@ cv::Size PersonCutter::CellSize(const RgbdFrame& frame) const {
 
 const CellGrid& PersonCutter::cells() const { return parts_->cells; }
 const Grid<std::uint8_t>& PersonCutter::background_cells() const { return parts_->background; }
-const cv::Mat& PersonCutter::cell_mask() const { return parts_->cell_mask; }
 const std::vector<cv::Mat>& PersonCutter::cuts() const { return parts_->cuts; }
 const std::vector<PersonSeeds>& PersonCutter::people() const { return parts_->people; }
 

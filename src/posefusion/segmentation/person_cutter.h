@@ -44,7 +44,7 @@ class PersonCutter {
   void Cut(const RgbdFrame& frame, const CutRequest& request, cv::Mat& mask);
   void Cut(const RgbdFrame& frame, const Skeletons& skeletons, cv::Mat& mask);
 
-  /// The first half of Cut(): cells only. See cuts() and cell_mask().
+  /// The first half of Cut(): cells only. See cuts().
   void CutCells(const RgbdFrame& frame, const CutRequest& request);
 
   /// The second half: brings any mask of the cells (CV_8UC1, 255 = person) of the frame cut last to
@@ -54,15 +54,14 @@ class PersonCutter {
   /// Size of the cell grid of a frame.
   cv::Size CellSize(const RgbdFrame& frame) const;
 
-  /// Of the last frame cut: cells with their depth, the union of the cuts at their resolution
-  /// (CV_8UC1, 255 = person), and the people of the skeletons with their seeds, in their order.
+  /// Of the last frame cut: cells with their depth, and the people of the skeletons with their
+  /// seeds, in their order.
   const CellGrid& cells() const;
   const Grid<std::uint8_t>& background_cells() const;  ///< 1 = on a surface that is no person's
-  const cv::Mat& cell_mask() const;
   const std::vector<PersonSeeds>& people() const;
 
-  /// Each cut by itself, as cell_mask(): the people of the skeletons, then the entries of
-  /// cell_seeds, in their order.
+  /// Each cut by itself, CV_8UC1 of the cells' size, 255 = person: the people of the skeletons,
+  /// then the entries of cell_seeds, in their order.
   const std::vector<cv::Mat>& cuts() const;
 
  private:
