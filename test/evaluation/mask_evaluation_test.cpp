@@ -110,6 +110,17 @@ TEST_F(EvaluateMaskFilesTest, CountsFramesWithoutMaskAsNobodyFound) {
   EXPECT_EQ(json["worst_frames"].size(), 1U);
 }
 
+TEST(MaskEvaluation, MeanOfFramesLeavesThoseOutWithNothingToFind) {
+  MaskEvaluation evaluation;
+  EXPECT_EQ(evaluation.MeanIou(), 1.0);
+  for (const MaskCounts& counts : {MaskCounts{90, 10, 0}, {1, 0, 1}, {0, 0, 0}, {0, 5, 0}}) {
+    FrameMaskScore score;
+    score.counts = counts;
+    evaluation.frames.push_back(score);
+  }
+  EXPECT_DOUBLE_EQ(evaluation.MeanIou(), (0.9 + 0.5 + 0.0) / 3);
+}
+
 TEST_F(EvaluateMaskFilesTest, LeavesFramesWithoutMaskOutWhenAsked) {
   files_.only_estimated = true;
   const MaskEvaluation evaluation = EvaluateMaskFiles(files_, {});

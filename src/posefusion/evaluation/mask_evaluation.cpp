@@ -155,6 +155,18 @@ MaskCounts operator+(const MaskCounts& a, const MaskCounts& b) {
 
 double MaskEvaluation::GoodShare() const { return Share(num_good, num_judged); }
 
+double MaskEvaluation::MeanIou() const {
+  double sum = 0;
+  int count = 0;
+  for (const FrameMaskScore& frame : frames) {
+    const MaskCounts& c = frame.counts;
+    if (c.person_found + c.person_missed + c.static_taken == 0) continue;
+    sum += c.IntersectionOverUnion();
+    ++count;
+  }
+  return count == 0 ? 1.0 : sum / count;
+}
+
 FrameMaskScore ScoreMask(const cv::Mat& truth, const cv::Mat& estimate, const cv::Mat& depth_m,
                          const std::vector<Skeleton>* keypoints,
                          const MaskEvaluationConfig& config) {

@@ -46,6 +46,9 @@ struct MaskEvaluation {
   int num_good = 0;                    ///< of these with good_recall
 
   double GoodShare() const;
+  /// Mean of the frames' own intersection over union, those in which nobody is and nobody was found
+  /// left out; 1 when none is left.
+  double MeanIou() const;
 };
 
 /// Scores one mask. `truth` (CV_8UC1): 0 = static, other values are people, a value for each;

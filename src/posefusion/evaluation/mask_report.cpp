@@ -59,6 +59,7 @@ nlohmann::json ToJson(const MaskEvaluation& evaluation, const MaskEvaluationConf
   json["recall"] = evaluation.pooled.Recall();
   json["precision"] = evaluation.pooled.Precision();
   json["iou"] = evaluation.pooled.IntersectionOverUnion();
+  json["mean_iou"] = evaluation.MeanIou();
   json["worst_frames"] = nlohmann::json::array();
   for (const FrameMaskScore& frame : WorstFrames(evaluation, config.num_worst)) {
     json["worst_frames"].push_back(FrameJson(frame));
@@ -75,6 +76,7 @@ std::string FormatTable(const MaskEvaluation& evaluation, const MaskEvaluationCo
   text += Formatted("%-28s %8.4f\n", "precision", evaluation.pooled.Precision());
   text += Formatted("%-28s %8.4f\n", "intersection over union",
                     evaluation.pooled.IntersectionOverUnion());
+  text += Formatted("%-28s %8.4f\n", "  mean of the frames", evaluation.MeanIou());
   text += Formatted("%-28s %7.1f%% (%d of %d frames with a person of more than %d px)\n",
                     "frames with enough recall", kPercent * evaluation.GoodShare(),
                     evaluation.num_good, evaluation.num_judged, config.min_person_px);
