@@ -84,7 +84,8 @@ int main(int argc, char** argv) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--programs", arguments.programs,
-                 "folder of run_dataset, evaluate_trajectory, evaluate_map and evaluate_blur")
+                 "folder of run_dataset, evaluate_trajectory, evaluate_map, evaluate_blur and "
+                 "evaluate_masks")
       ->capture_default_str();
   return posefusion::RunTool(app, argc, argv, "evaluate_suite", [&] { return Run(arguments); });
 }

@@ -12,11 +12,10 @@ namespace posefusion {
 namespace {
 
 /// Prefix of the figures and the file below the job's folder.
-constexpr std::pair<const char*, const char*> kFiles[] = {{"report", "report.json"},
-                                                          {"trajectory", "evaluation.json"},
-                                                          {"live", "live/evaluation.json"},
-                                                          {"map", "map_evaluation.json"},
-                                                          {"blur", "blur_evaluation.json"}};
+constexpr std::pair<const char*, const char*> kFiles[] = {
+    {"report", "report.json"},         {"trajectory", "evaluation.json"},
+    {"live", "live/evaluation.json"},  {"map", "map_evaluation.json"},
+    {"masks", "mask_evaluation.json"}, {"blur", "blur_evaluation.json"}};
 
 bool IsSameBesideSeed(const SuiteAggregate& aggregate, const SuiteJob& job) {
   return aggregate.name == job.name && aggregate.source_template == job.source_template &&

@@ -11,7 +11,7 @@ namespace posefusion {
 
 /// Figures of a job by flat keys such as "trajectory.ate.translation.rmse_m": report.* of
 /// report.json, trajectory.* and live.* of the two evaluation.json, map.* of map_evaluation.json,
-/// blur.* of blur_evaluation.json.
+/// masks.* of mask_evaluation.json, blur.* of blur_evaluation.json.
 using Figures = std::map<std::string, nlohmann::json>;
 
 /// Adds the scalars of `json` with their path, joined by dots, to `figures`. Of a list its length

@@ -84,6 +84,10 @@ std::string ExcludeFile(const SuiteJob& job, const std::string& folder, const st
   return Substituted(Substituted(job.exclude, "out", folder), "truth", truth);
 }
 
+bool HasTrueMasks(const std::string& truth) {
+  return fs::is_directory(truth + "/labels") || fs::is_directory(truth + "/masks");
+}
+
 std::vector<Command> EvaluationCommands(const SuiteJob& job, const std::string& folder,
                                         const SuitePrograms& programs) {
   std::vector<Command> commands;
@@ -100,6 +104,11 @@ std::vector<Command> EvaluationCommands(const SuiteJob& job, const std::string& 
   if (fs::exists(truth + "/world.ply")) {
     commands.push_back(
         {programs.evaluate_map(), "--map", folder + "/map.ply", "--truth", truth, "--out", folder});
+  }
+  const std::string masks = folder + "/masks";
+  if (fs::is_directory(masks) && !fs::is_empty(masks) && HasTrueMasks(truth)) {
+    commands.push_back({programs.evaluate_masks(), "--truth", truth, "--estimate", masks,
+                        "--only-estimated", "--out", folder});
   }
   if (fs::exists(truth + "/blur.txt")) {
     commands.push_back({programs.evaluate_blur(), "--truth", truth, "--frames",
@@ -141,7 +150,8 @@ bool RunPrograms(const SuiteJob& job, const std::string& folder, const SuiteProg
 
 SuitePrograms::SuitePrograms(const std::string& folder) {
   Hash hash;
-  for (const char* name : {"run_dataset", "evaluate_trajectory", "evaluate_map", "evaluate_blur"}) {
+  for (const char* name :
+       {"run_dataset", "evaluate_trajectory", "evaluate_map", "evaluate_blur", "evaluate_masks"}) {
     paths_.push_back((fs::path(folder) / name).string());
     if (access(paths_.back().c_str(), X_OK) != 0) {
       throw std::runtime_error(paths_.back() + ": there is no such program");

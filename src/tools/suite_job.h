@@ -19,8 +19,8 @@ class SuitePrograms {
   const std::string& run_dataset() const { return paths_[0]; }
   const std::string& evaluate_trajectory() const { return paths_[1]; }
   const std::string& evaluate_map() const { return paths_[2]; }
-
   const std::string& evaluate_blur() const { return paths_[3]; }
+  const std::string& evaluate_masks() const { return paths_[4]; }
 
   /// Says which programs these are: a hash of their bytes.
   std::uint64_t fingerprint() const { return fingerprint_; }
@@ -50,7 +50,7 @@ struct JobResult {
 };
 
 /// Where a job writes to: report.json, evaluation.json, live/evaluation.json, map_evaluation.json,
-/// blur_evaluation.json, log.txt and, when all is done, done.json.
+/// mask_evaluation.json, blur_evaluation.json, log.txt and, when all is done, done.json.
 std::string JobFolder(const std::string& out, const SuiteJob& job);
 
 /// The record of a job that has been done with the same commands, files and programs; nothing
@@ -59,8 +59,8 @@ std::optional<JobRecord> FindRecord(const SuiteJob& job, const std::string& fold
                                     const SuitePrograms& programs);
 
 /// Runs a job in an emptied folder: run_dataset, then evaluate_trajectory for the final and the
-/// live poses, evaluate_map and evaluate_blur, as far as there is a truth. Never throws for what
-/// goes wrong in the job.
+/// live poses, evaluate_map, evaluate_masks and evaluate_blur, as far as there is a truth. Masks
+/// are there when the options have --masks. Never throws for what goes wrong in the job.
 JobResult RunJob(const SuiteJob& job, const std::string& folder, const SuitePrograms& programs,
                  const std::function<bool()>& should_stop);
 

@@ -27,6 +27,9 @@ constexpr TableColumn kColumns[] = {
     {"surface mm", "map.surface_error.near.median_m", 1000},
     {"complete %", "map.completeness.ratio", 100},
     {"ghosts cm2", "map.ghosts.off_surface.area_cm2", 1},
+    {"recall %", "masks.recall", 100},
+    {"precision %", "masks.precision", 100},
+    {"good masks %", "masks.frames.good_share", 100},
     {"frame ms", "report.frame_ms.median", 1},
 };
 

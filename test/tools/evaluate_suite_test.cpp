@@ -29,6 +29,7 @@ case $1 in
 esac
 seed=${1#"${1%?}"}
 echo "{\"frames\": {\"total\": $seed}}" > "$3/report.json"
+case "$*" in *--masks*) mkdir "$3/masks"; touch "$3/masks/1.png";; esac
 )";
 
 constexpr char kFakeEvaluation[] = R"(#!/bin/sh
@@ -46,6 +47,8 @@ class EvaluateSuiteTest : public ::testing::Test {
     std::string evaluation = kFakeEvaluation;
     WriteProgram("evaluate_blur", Replaced(Replaced(evaluation, "NAME", "blur_evaluation.json"),
                                            "FIGURE", "recall"));
+    WriteProgram("evaluate_masks", Replaced(Replaced(evaluation, "NAME", "mask_evaluation.json"),
+                                            "FIGURE", "recall"));
     WriteProgram("evaluate_map", Replaced(Replaced(evaluation, "NAME", "map_evaluation.json"),
                                           "FIGURE", "surface"));
     WriteProgram("evaluate_trajectory",
@@ -147,6 +150,30 @@ TEST_F(EvaluateSuiteTest, EvaluatesWhereThereIsATruth) {
                     HasSubstr("--exclude " + (folder_ / "truth/events.txt"))));
   const auto figures = Result()["jobs"][0]["figures"];
   for (const char* key : {"trajectory.ate", "live.ate", "map.surface"}) EXPECT_EQ(figures[key], 1);
+}
+
+TEST_F(EvaluateSuiteTest, EvaluatesMasksWhereThereAreAnyAndTrueOnes) {
+  fs::create_directories(folder_ / "data1/labels");
+  fs::create_directories(folder_ / "nobody2");
+  for (const char* truth : {"data1", "nobody2"}) {
+    WriteFileAtomically(folder_ / (std::string(truth) + "/groundtruth.txt"), "");
+  }
+  const auto entry = [&](const std::string& name, const std::string& source,
+                         const std::string& options) {
+    return "{name: " + name + ", sources: ['" + (folder_ / source) + "'], options: [" + options +
+           "]}";
+  };
+  const ProgramRun run =
+      Run("[" + entry("with", "data1", "--masks") + "," + entry("without_masks", "data1", "") + "," +
+          entry("without_truth", "nobody2", "--masks") + "]");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(ReadWholeFile(folder_ / "evaluations.txt"),
+              HasSubstr("--truth " + (folder_ / "data1") + " --estimate " +
+                        (folder_ / "out/jobs/with/default/seed_1/masks") + " --only-estimated"));
+  const auto jobs = Result()["jobs"];
+  EXPECT_EQ(jobs[0]["figures"].count("masks.recall"), 1U);
+  EXPECT_EQ(jobs[1]["figures"].count("masks.recall"), 0U);
+  EXPECT_EQ(jobs[2]["figures"].count("masks.recall"), 0U);
 }
 
 TEST_F(EvaluateSuiteTest, FailedJobsNameTheirLogAndTheOthersGoOn) {

@@ -71,8 +71,10 @@ TEST_F(SuiteListTest, RefusesWithTheNameOfTheKey) {
 }
 
 TEST_F(SuiteListTest, ShippedListsCanBeRead) {
-  const std::string shipped = POSEFUSION_CONFIG_FOLDER "/suites/simulated.yaml";
-  EXPECT_FALSE(ReadSuite(shipped, PresetNames()).empty());
+  for (const char* name : {"simulated", "people"}) {
+    const std::string shipped = POSEFUSION_CONFIG_FOLDER "/suites/" + std::string(name) + ".yaml";
+    EXPECT_FALSE(ReadSuite(shipped, PresetNames()).empty()) << shipped;
+  }
 }
 
 TEST_F(SuiteListTest, CountsFramesWhereTheyCanBeTold) {
