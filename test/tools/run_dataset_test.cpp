@@ -109,6 +109,25 @@ TEST_F(RunDataset, SameBytesTwiceAndForAnyNumberOfThreads) {
   }
 }
 
+TEST_F(RunDataset, MasksAreTheSameBytesTwiceAndForAnyNumberOfThreads) {
+  const auto run = [&](const std::string& out, const std::string& threads) {
+    return Run("\"sim:fr3_xyz?humans=2&seconds=0.4\" --masks --out " + (folder_ / out) +
+               " --threads " + threads);
+  };
+  ASSERT_EQ(run("a", "1"), 0) << ReadWholeFile(folder_ / "log");
+  ASSERT_EQ(run("b", "4"), 0);
+  ASSERT_EQ(run("c", "4"), 0);
+  int num_masks = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "a/masks")) {
+    const std::string name = "/masks/" + entry.path().filename().string();
+    const std::string mask = ReadWholeFile(entry.path());
+    EXPECT_EQ(mask, ReadWholeFile((folder_ / "b") + name)) << name;
+    EXPECT_EQ(mask, ReadWholeFile((folder_ / "c") + name)) << name;
+    ++num_masks;
+  }
+  EXPECT_EQ(num_masks, 12);
+}
+
 TEST_F(RunDataset, StartAndMaxFramesChooseTheFrames) {
   ASSERT_EQ(RunInto("out", "--start 0.1 --max-frames 4"), 0);
   const Trajectory trajectory = ReadTrajectory(folder_ / "out/trajectory.txt");
