@@ -10,6 +10,7 @@
 #include "posefusion_ros/conversions.h"
 #include "posefusion_ros/skeleton_conversions.h"
 #include "posefusion_ros/topic_names.h"
+#include "test/ros/log_recorder.h"
 #include "test/ros/recorder.h"
 #include "test/skeleton/sample_skeletons.h"
 #include "test/support/temporary_folder.h"
@@ -88,6 +89,7 @@ class SkeletonIngest : public ::testing::Test {
   ros::Publisher image_;
   ros::Publisher skeletons_in_;
   Recorder<SkeletonsMessage> skeletons_{kSkeletonsTopic};
+  LogRecorder log_;
   nodelet::Loader loader_;
 };
 
@@ -123,12 +125,18 @@ TEST_F(SkeletonIngest, TopicIsCheckedAndGoesOnAfterBadMessages) {
   PublishSkeletons(1 * kSecond, {PersonAt(10, 20), PersonAt(-900, 20)});
   PublishSkeletons(2 * kSecond, {PersonAt(10, 20)}, "mpii");
   PublishSkeletons(3 * kSecond, std::vector<Skeleton>(20, PersonAt(10, 20)));
+  PublishSkeletons(4 * kSecond, std::vector<Skeleton>(500, PersonAt(10, 20)));
   PublishSkeletons(500 * kSecond, {});
-  ASSERT_TRUE(skeletons_.WaitForSize(3));
-  EXPECT_EQ(Seconds(), (std::vector<int>{1, 3, 500}));
+  PublishSkeletons(501 * kSecond, {});
+  ASSERT_TRUE(skeletons_.WaitForSize(5));
+  EXPECT_EQ(Seconds(), (std::vector<int>{1, 3, 4, 500, 501}));
   EXPECT_EQ(skeletons_.messages()[0]->people.size(), 1U) << "the other is not in the image";
   EXPECT_EQ(skeletons_.messages()[1]->people.size(), 15U);
   EXPECT_EQ(skeletons_.messages()[1]->layout, "coco18");
+  EXPECT_TRUE(log_.WaitFor({"/skeletons_in", "mpii"}));
+  EXPECT_TRUE(log_.WaitFor({"500.000000", "1.000000", "another clock"}));
+  EXPECT_EQ(log_.Count({"another clock"}), 1);
+  EXPECT_EQ(log_.Count({"more than 15 people"}), 1);
 }
 
 TEST_F(SkeletonIngest, NetworkFindsPeopleInSharpImages) {
@@ -152,12 +160,24 @@ TEST_F(SkeletonIngest, NetworkFindsPeopleInSharpImages) {
 
 TEST_F(SkeletonIngest, RefusesToStartWithoutAFolder) {
   EXPECT_FALSE(Load("folder")) << "none given";
+  EXPECT_TRUE(log_.WaitFor({"/skeleton_ingest/folder: must be given"}));
   ros::param::set(std::string(kName) + "/folder", "/nonexistent/keypoints");
   EXPECT_FALSE(Load("folder"));
+  EXPECT_TRUE(log_.WaitFor({"/nonexistent/keypoints"}));
   EXPECT_FALSE(Load("nonsense"));
+  EXPECT_TRUE(log_.WaitFor({"skeleton_ingest.source", "nonsense"}));
+}
+
+TEST_F(SkeletonIngest, RefusesToStartWithoutANetworkAndNamesItsParameter) {
   EXPECT_FALSE(Load("network")) << "no model";
+  EXPECT_TRUE(log_.WaitFor({"/skeleton_ingest/network", "model: is empty"}));
   ros::param::set(std::string(kName) + "/network/model", "/nonexistent/graph.pb");
   EXPECT_FALSE(Load("network"));
+  EXPECT_TRUE(log_.WaitFor({"/skeleton_ingest/network", "model: /nonexistent/graph.pb"}));
+  WriteText(folder_ / "picture.pb", "\xff\xd8\xff\xe0JFIF");
+  ros::param::set(std::string(kName) + "/network/model", folder_ / "picture.pb");
+  EXPECT_FALSE(Load("network"));
+  EXPECT_TRUE(log_.WaitFor({"/skeleton_ingest/network", "model: ", "is no TensorFlow graph"}));
 }
 
 TEST_F(SkeletonIngest, NoneIsQuiet) {

@@ -80,7 +80,12 @@ class SkeletonIngestNodelet : public CheckedNodelet {
   }
 
   void LoadNetwork() {
-    pose_network_ = std::make_unique<PoseNetwork>(config_.network);
+    try {
+      pose_network_ = std::make_unique<PoseNetwork>(config_.network);
+    } catch (const std::exception& error) {
+      throw std::invalid_argument(getPrivateNodeHandle().resolveName("network") + ": " +
+                                  error.what());
+    }
     NODELET_INFO_STREAM("keypoints by " << config_.network.model);
   }
 
