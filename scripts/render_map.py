@@ -168,11 +168,17 @@ def paint_path(image, view, positions):
     paint(image, index, x, y, z, np.tile(PATH_COLOUR, (len(u), 1)))
 
 
-def render(vertices, trajectory, width, height):
+def view_of(vertices, trajectory, width, height):
+    """The view that shows a map and its path well."""
+    points = columns(vertices, "x", "y", "z")
+    normals = columns(vertices, "nx", "ny", "nz")
+    return choose_view(points, normals, trajectory, width * SUPERSAMPLING, height * SUPERSAMPLING)
+
+
+def render(vertices, trajectory, view, width, height):
     """RGB picture of the map."""
     points = columns(vertices, "x", "y", "z")
     normals = columns(vertices, "nx", "ny", "nz")
-    view = choose_view(points, normals, trajectory, width * SUPERSAMPLING, height * SUPERSAMPLING)
     facing = np.einsum("ij,ij->i", normals, view.eye - points) > 0
     u, v, z = view.project(points)
     z = np.where(facing, z, 0)
@@ -195,12 +201,16 @@ def main():
     parser.add_argument("map", help="map.ply of run_dataset or the Mapping nodelet")
     parser.add_argument("picture", help="the PNG to write")
     parser.add_argument("--trajectory", help="trajectory.txt: sets the view and is drawn")
+    parser.add_argument("--view-of", metavar="MAP", help="another map: the view that shows it best")
     parser.add_argument("--width", type=int, default=1280)
     parser.add_argument("--height", type=int, default=800)
     arguments = parser.parse_args()
     try:
         trajectory = read_trajectory(arguments.trajectory) if arguments.trajectory else None
-        picture = render(read_ply(arguments.map), trajectory, arguments.width, arguments.height)
+        size = arguments.width, arguments.height
+        vertices = read_ply(arguments.map)
+        view = view_of(read_ply(arguments.view_of or arguments.map), trajectory, *size)
+        picture = render(vertices, trajectory, view, *size)
         matplotlib.image.imsave(arguments.picture, picture)
     except (OSError, ValueError, KeyError) as error:
         print(f"render_map: {error}", file=sys.stderr)

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "posefusion/config/config.h"
+#include "posefusion/pipeline/camera_info_config.h"
 
 namespace posefusion {
 
@@ -24,6 +25,12 @@ Config ReadConfig(const ros::NodeHandle& private_node) {
   Config config;
   ApplyYaml(ReadPrivateParameters(private_node), private_node.getNamespace(), config);
   return config;
+}
+
+/// The group camera_info beside the nodelets, which those share that read camera_info.
+/// @throws std::invalid_argument as ReadConfig.
+inline CameraInfoConfig ReadCameraInfoConfig(const ros::NodeHandle& node) {
+  return ReadConfig<CameraInfoConfig>(ros::NodeHandle(node, "camera_info"));
 }
 
 }  // namespace posefusion

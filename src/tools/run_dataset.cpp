@@ -122,12 +122,17 @@ Odometry OpenOdometry(const Arguments& arguments, const pf::SystemConfig& config
   return ReadOdometry(arguments.odometry);
 }
 
-Source OpenSource(const Arguments& arguments) {
-  if (EndsWith(arguments.source, ".bag")) {
-    return {std::make_unique<TrimmedSource>(std::make_unique<pf::BagSource>(arguments.source),
-                                            arguments.start_s, arguments.max_frames),
-            nullptr, nullptr};
-  }
+Source OpenBag(const Arguments& arguments, const pf::CameraInfoConfig& camera_info) {
+  pf::BagSourceOptions options;
+  options.images_are_rectified = camera_info.images_are_rectified;
+  return {
+      std::make_unique<TrimmedSource>(std::make_unique<pf::BagSource>(arguments.source, options),
+                                      arguments.start_s, arguments.max_frames),
+      nullptr, nullptr};
+}
+
+Source OpenSource(const Arguments& arguments, const pf::SystemConfig& config) {
+  if (EndsWith(arguments.source, ".bag")) return OpenBag(arguments, config.camera_info);
   if (const auto simulation = pf::ParseSimulationName(arguments.source)) {
     auto frames = std::make_unique<pf::SimSource>(*simulation, arguments.num_threads);
     auto run = frames->run();
@@ -178,7 +183,7 @@ int Run(const Arguments& arguments) {
     files.insert(files.begin(), pf::PresetFile(arguments.preset));
   }
   const pf::SystemConfig config = pf::LoadSystemConfig(files);
-  Source source = OpenSource(arguments);
+  Source source = OpenSource(arguments, config);
   const Odometry odometry = OpenOdometry(arguments, config, source.simulation.get());
   const auto keypoints = OpenKeypoints(arguments, std::move(source.own_keypoints));
   auto frames = std::make_unique<pf::PrefetchedSource>(std::move(source.frames));
@@ -215,8 +220,10 @@ int main(int argc, char** argv) {
       ->required();
   app.add_option("--preset", arguments.preset, "named settings of config/presets")
       ->check(CLI::IsMember(pf::PresetNames()));
-  app.add_option("--config", arguments.config_files,
-                 "yaml files with groups blur_filter, human_removal and mapping, later ones win")
+  app.add_option(
+         "--config", arguments.config_files,
+         "yaml files with groups blur_filter, human_removal, mapping and camera_info, later "
+         "ones win")
       ->allow_extra_args(false);
   app.add_option(
       "--keypoints", arguments.keypoints,

@@ -7,6 +7,7 @@
 
 #include "posefusion/config/config.h"
 #include "posefusion/image/blur_filter.h"
+#include "posefusion/pipeline/camera_info_config.h"
 #include "posefusion/pipeline/slam_config.h"
 #include "posefusion/segmentation/human_removal_config.h"
 #include "posefusion/skeleton/pose_network_config.h"
@@ -57,6 +58,7 @@ TEST_P(ConfigFilesTest, ShowsEveryKeyWithItsDefault) {
 // One line per file whose struct is in the core.
 INSTANTIATE_TEST_SUITE_P(All, ConfigFilesTest,
                          testing::Values(FileOf<BlurFilterConfig>("blur_filter.yaml"),
+                                         FileOf<CameraInfoConfig>("camera_info.yaml"),
                                          FileOf<HumanRemovalConfig>("human_removal.yaml"),
                                          FileOf<SlamConfig>("mapping.yaml"),
                                          FileOf<PoseNetworkConfig>("pose_network.yaml")));

@@ -1,5 +1,6 @@
 // All nodelets with people in the pictures.
 
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <posefusion/HumanInfo.h>
@@ -21,6 +22,7 @@
 #include "posefusion_ros/conversions.h"
 #include "posefusion_ros/skeleton_conversions.h"
 #include "posefusion_ros/topic_names.h"
+#include "test/ros/log_recorder.h"
 #include "test/ros/nodelet_graph.h"
 #include "test/ros/person_scene.h"
 #include "test/ros/recorder.h"
@@ -219,6 +221,7 @@ TEST_F(HumanRemovalGraph, MissingAndLateKeypointsStopNobody) {
 }
 
 TEST_F(HumanRemovalGraph, BadSkeletonMessagesAreSurvived) {
+  const LogRecorder log;
   Start();
   Skeletons people = SyntheticPerson(0).skeletons;
   SkeletonsMessage unknown_layout = MessageOf(people);
@@ -241,6 +244,63 @@ TEST_F(HumanRemovalGraph, BadSkeletonMessagesAreSurvived) {
   const HumanInfo info = Process(SyntheticPerson(index));
   EXPECT_TRUE(info.has_own_keypoints);
   EXPECT_EQ(info.num_people, 1);
+  EXPECT_TRUE(log.WaitFor({"/skeletons", "mpii"}));
+  const std::string image = FormatStamp(SyntheticPerson(4).frame.stamp_ns);
+  EXPECT_TRUE(log.WaitFor({"5.000000", image, "another clock"}));
+}
+
+TEST_F(HumanRemovalGraph, KeypointsOfFramesThatNeverComeStopNobody) {
+  Start();
+  for (int i = 0; i < 400; ++i) {
+    PersonFrame person = SyntheticPerson(1);
+    person.skeletons.stamp_ns += 1'000'000 * (1 + i % 20);  // between two frames
+    PublishKeypoints(person);
+  }
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(Process(SyntheticPerson(i)).mask_age_s, -1);
+  PublishKeypoints(SyntheticPerson(3));
+  ros::WallDuration(0.2).sleep();
+  EXPECT_EQ(Process(SyntheticPerson(3)).num_people, 1);
+}
+
+TEST_F(HumanRemovalGraph, DiagnosticsTellPeopleMaskAgeAndPaceOfKeypoints) {
+  const Recorder<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
+  Start();
+  PublishKeypoints(SyntheticPerson(0));
+  ros::WallDuration(0.2).sleep();
+  for (int i = 0; i < 3; ++i) Process(SyntheticPerson(i));
+  const auto values = [&](const std::string& name) {
+    std::map<std::string, std::string> newest;
+    for (const auto& array : diagnostics.messages()) {
+      for (const auto& status : array->status) {
+        if (status.name != name) continue;
+        for (const auto& value : status.values) newest[value.key] = value.value;
+      }
+    }
+    return newest;
+  };
+  for (const char* name : {"human_removal: people", "mapping: people"}) {
+    for (int i = 0; i < 400 && values(name)["people"] != "1"; ++i) ros::WallDuration(0.01).sleep();
+    auto newest = values(name);
+    EXPECT_EQ(newest["people"], "1") << name;
+    EXPECT_NEAR(std::stod(newest["age of the mask [s]"]), 0.066, 0.01) << name;
+    EXPECT_GT(std::stod(newest["keypoints [Hz]"]), 0) << name;
+    EXPECT_GT(std::stod(newest["delay of keypoints [s]"]), 0) << name;
+  }
+}
+
+TEST_F(HumanRemovalGraph, AllNodeletsHearOnceThatImagesAreRectified) {
+  graph_.SetParam("/camera_info/images_are_rectified", true);
+  Start();
+  EXPECT_TRUE(Process(SyntheticPerson(0)).removal_enabled);
+  RgbdMessages without_p = Paired(SyntheticPerson(1).frame);
+  auto info = boost::make_shared<sensor_msgs::CameraInfo>(*without_p.info);
+  info->P.fill(0);
+  without_p.info = info;
+  graph_.Publish(without_p);
+  EXPECT_TRUE(graph_.WaitFor([](const Status& status) { return status.frames_refused == 1; }))
+      << "Mapping";
+  ASSERT_TRUE(infos_.WaitForSize(2));
+  EXPECT_FALSE(infos_.messages()[1]->removal_enabled) << "HumanRemoval";
 }
 
 TEST_F(HumanRemovalGraph, StartsAnewWhenABagIsRestarted) {

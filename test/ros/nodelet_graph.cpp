@@ -52,7 +52,8 @@ void NodeletGraph::Stop() {
   if (loader_) loader_->clear();
   loader_.reset();
   status_subscriber_.shutdown();
-  for (const char* name : {"/blur_filter", "/skeleton_ingest", "/human_removal", "/mapping"}) {
+  for (const char* name :
+       {"/blur_filter", "/skeleton_ingest", "/human_removal", "/mapping", "/camera_info"}) {
     ros::param::del(name);
   }
   status_ = {};

@@ -4,13 +4,15 @@
 #include <vector>
 
 #include "posefusion/image/blur_filter.h"
+#include "posefusion/pipeline/camera_info_config.h"
 #include "posefusion/pipeline/slam_config.h"
 #include "posefusion/segmentation/human_removal_config.h"
 
 namespace posefusion {
 
-/// Every value of a run, one group per nodelet.
+/// Every value of a run: a group per nodelet, and what they share.
 struct SystemConfig {
+  CameraInfoConfig camera_info;  ///< of bags
   BlurFilterConfig blur_filter;
   HumanRemovalConfig human_removal;
   SlamConfig mapping;
@@ -18,6 +20,7 @@ struct SystemConfig {
 
 template <class V>
 void Describe(V& v, SystemConfig& c) {
+  v.Group("camera_info", c.camera_info);
   v.Group("blur_filter", c.blur_filter);
   v.Group("human_removal", c.human_removal);
   v.Group("mapping", c.mapping);

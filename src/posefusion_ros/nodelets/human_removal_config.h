@@ -8,9 +8,8 @@ namespace posefusion {
 /// What the HumanRemoval nodelet does besides cutting people out.
 struct HumanRemovalRosConfig {
   InputConfig input;
-  bool input_is_paired = true;        ///< the topics under sharp/ carry only pairs
-  bool images_are_rectified = false;  ///< by the driver, though camera_info has distortion
-  int queue_size = 1;                 ///< frames that may wait; the oldest is dropped
+  bool input_is_paired = true;  ///< the topics under sharp/ carry only pairs
+  int queue_size = 1;           ///< frames that may wait; the oldest is dropped
   /// A frame waits so long for its keypoints, as long as those of nearly every frame come in time.
   double keypoint_grace_s = 0.03;
   double reset_after_jump_back_s = 0.5;  ///< stamps this far back mean that a bag was restarted
@@ -20,7 +19,6 @@ template <class V>
 void Describe(V& v, HumanRemovalRosConfig& c) {
   v.Group("input", c.input);
   v.Field("input_is_paired", c.input_is_paired);
-  v.Field("images_are_rectified", c.images_are_rectified);
   v.Field("queue_size", c.queue_size, 1, 1000);
   v.Field("keypoint_grace_s", c.keypoint_grace_s, 0.0, 10.0);
   v.Field("reset_after_jump_back_s", c.reset_after_jump_back_s, 0.0, 3600.0);

@@ -35,7 +35,8 @@ class HumanRemovalNodelet : public CheckedNodelet {
     skeletons_topic_ = node.resolveName(kSkeletonsTopic);
     clock_check_.emplace(skeletons_topic_);
     // What may throw comes before topics: the manager cannot take them back from half a nodelet.
-    worker_ = std::make_unique<HumanRemovalWorker>(config_, names, MakeCallbacks());
+    worker_ = std::make_unique<HumanRemovalWorker>(config_, ReadCameraInfoConfig(node), names,
+                                                   MakeCallbacks());
     const InputConfig& input = config_.ros.input;
     const auto queue_size =
         static_cast<std::uint32_t>(input.lossless ? 0 : input.subscriber_queue_size);
@@ -100,6 +101,7 @@ class HumanRemovalNodelet : public CheckedNodelet {
     entry.add("frames [Hz]", frame_pace_.RateHz(SteadyNowS()));
     entry.add("frames dropped because newer ones waited", num_dropped_);
     entry.add("people", num_people_);
+    entry.add("age of the mask [s]", mask_age_s_);
     entry.add("keypoints [Hz]", rate_meter_.RateHz(SteadyNowS()));
     entry.add("delay of keypoints [s]", rate_meter_.delay_s());
     entry.summaryf(diagnostic_msgs::DiagnosticStatus::OK, "%d people", num_people_);
@@ -110,6 +112,7 @@ class HumanRemovalNodelet : public CheckedNodelet {
     frame_pace_.Note(SteadyNowS());
     num_dropped_ = result.dropped;
     num_people_ = result.cut != nullptr ? result.cut->num_people : 0;
+    mask_age_s_ = result.cut != nullptr ? result.cut->mask_age_s.value_or(-1) : -1;
   }
 
   void OnFrame(const RgbdMessages& frame) {
@@ -164,6 +167,7 @@ class HumanRemovalNodelet : public CheckedNodelet {
   PaceMeter frame_pace_;
   std::size_t num_dropped_ = 0;
   int num_people_ = 0;
+  double mask_age_s_ = -1;  ///< of the newest frame; -1 without keypoints
   std::unique_ptr<HumanRemovalPublishers> publishers_;
   std::unique_ptr<HumanRemovalWorker> worker_;  // ends before what it publishes with
   ros::Subscriber skeletons_;

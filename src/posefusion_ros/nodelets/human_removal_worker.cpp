@@ -25,9 +25,11 @@ Clock::duration Duration(double seconds) {
 
 }  // namespace
 
-HumanRemovalWorker::HumanRemovalWorker(const HumanRemovalNodeletConfig& config, RgbdTopics topics,
+HumanRemovalWorker::HumanRemovalWorker(const HumanRemovalNodeletConfig& config,
+                                       const CameraInfoConfig& camera_info, RgbdTopics topics,
                                        Callbacks callbacks)
     : config_(config),
+      camera_info_(camera_info),
       topics_(std::move(topics)),
       callbacks_(std::move(callbacks)),
       trouble_(kLogPeriodS, callbacks_.log_error, callbacks_.log_info),
@@ -88,7 +90,7 @@ void HumanRemovalWorker::Work(const Item& item) {
   HumanCut cut;
   try {
     if (remover_) {
-      frame = ToRgbdFrame(item.messages, config_.ros.images_are_rectified, topics_);
+      frame = ToRgbdFrame(item.messages, camera_info_.images_are_rectified, topics_);
       RestartIfTimeWentBack(frame.stamp_ns);
       cut = remover_->Process(frame, TakeKeypoints(frame, item));
       result.frame = &frame;

@@ -7,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "posefusion/pipeline/camera_info_config.h"
 #include "posefusion/segmentation/human_remover.h"
 #include "posefusion_ros/bounded_queue.h"
 #include "posefusion_ros/frame_assembler.h"
@@ -38,8 +39,8 @@ class HumanRemovalWorker {
 
   /// `topics` are the resolved names, for error messages.
   /// @throws std::invalid_argument naming the key for a value out of range.
-  HumanRemovalWorker(const HumanRemovalNodeletConfig& config, RgbdTopics topics,
-                     Callbacks callbacks);
+  HumanRemovalWorker(const HumanRemovalNodeletConfig& config, const CameraInfoConfig& camera_info,
+                     RgbdTopics topics, Callbacks callbacks);
 
   /// Stops after the frame in work; frames that wait are forgotten.
   ~HumanRemovalWorker();
@@ -66,6 +67,7 @@ class HumanRemovalWorker {
   KeypointInbox::Clock::duration WaitTime() const;
 
   HumanRemovalNodeletConfig config_;  ///< of the worker's thread
+  const CameraInfoConfig camera_info_;
   const RgbdTopics topics_;
   const Callbacks callbacks_;
   std::mutex mutex_;                           ///< guards the one below

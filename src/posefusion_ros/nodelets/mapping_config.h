@@ -14,8 +14,6 @@ struct MappingRosConfig {
   /// The topics under sharp/ carry only pairs, as BlurFilter sends them. Set to false when they
   /// are remapped to a camera driver.
   bool input_is_paired = true;
-  bool images_are_rectified =
-      false;  ///< by the driver, though camera_info has distortion: P is used
   /// Frames are taken with what HumanRemoval publishes for them, not as they come.
   bool human_removal = false;
   double human_removal_hold_s = 2.0;  ///< so long frames wait for HumanRemoval at most
@@ -34,7 +32,6 @@ template <class V>
 void Describe(V& v, MappingRosConfig& c) {
   v.Group("input", c.input);
   v.Field("input_is_paired", c.input_is_paired);
-  v.Field("images_are_rectified", c.images_are_rectified);
   v.Field("human_removal", c.human_removal);
   v.Field("human_removal_hold_s", c.human_removal_hold_s, 0.1, 60.0);
   v.Field("queue_size", c.queue_size, 1, 1000);

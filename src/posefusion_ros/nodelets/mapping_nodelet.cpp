@@ -41,7 +41,8 @@ class MappingNodelet : public CheckedNodelet {
                                             config_.ros.reset_after_jump_back_s, TfCallbacks());
     publishers_ = std::make_unique<MappingPublishers>(node, config_);
     status_ = std::make_unique<MappingStatus>();
-    worker_ = std::make_unique<MappingWorker>(config_, topics, static_topics, MakeCallbacks());
+    worker_ = std::make_unique<MappingWorker>(config_, ReadCameraInfoConfig(node), topics,
+                                              static_topics, MakeCallbacks());
     services_ = std::make_unique<MappingServices>(service_thread_.Handle(getPrivateNodeHandle()),
                                                   output_dir, *worker_);
     StartReconfigure();

@@ -22,9 +22,10 @@ bool HasPeopleRemoved(const MappingMessages& messages) {
 
 }  // namespace
 
-MappingWorker::MappingWorker(const MappingConfig& config, RgbdTopics topics,
-                             StaticTopics static_topics, Callbacks callbacks)
+MappingWorker::MappingWorker(const MappingConfig& config, const CameraInfoConfig& camera_info,
+                             RgbdTopics topics, StaticTopics static_topics, Callbacks callbacks)
     : config_(config.ros),
+      camera_info_(camera_info),
       topics_(std::move(topics)),
       static_topics_(std::move(static_topics)),
       callbacks_(std::move(callbacks)),
@@ -86,10 +87,10 @@ void MappingWorker::Guarded(const std::function<void()>& step) {
 
 RgbdFrame MappingWorker::ToFrame(const MappingMessages& messages) const {
   if (!HasPeopleRemoved(messages)) {
-    return ToRgbdFrame(messages.rgbd, config_.images_are_rectified, topics_);
+    return ToRgbdFrame(messages.rgbd, camera_info_.images_are_rectified, topics_);
   }
   return ToRgbdFrame({messages.rgbd.rgb, messages.static_depth, messages.rgbd.info},
-                     config_.images_are_rectified,
+                     camera_info_.images_are_rectified,
                      {topics_.rgb, static_topics_.depth, topics_.info});
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 
+#include "posefusion/pipeline/camera_info_config.h"
 #include "posefusion/pipeline/slam.h"
 #include "posefusion_ros/bounded_queue.h"
 #include "posefusion_ros/frame_assembler.h"
@@ -47,8 +48,8 @@ class MappingWorker {
     std::function<void(const Slam&, const MappingCounts&)> idle;
     /// T_map_camera of the frame that begins the map. May wait.
     std::function<Eigen::Isometry3d(const std_msgs::Header& rgb_header)> start_pose;
-    /// T_odom_camera of the robot's own odometry when the image was taken; nothing when unknown. Does
-    /// not wait.
+    /// T_odom_camera of the robot's own odometry when the image was taken; nothing when unknown.
+    /// Does not wait.
     std::function<std::optional<Eigen::Isometry3d>(const std_msgs::Header& rgb_header)> odometry;
     std::function<void()> reset;  ///< map and poses have been forgotten
     /// At the end, after the last frame.
@@ -59,8 +60,8 @@ class MappingWorker {
 
   /// `topics` and `static_topics` are the resolved names, for error messages.
   /// @throws std::invalid_argument naming the key for a value out of range.
-  MappingWorker(const MappingConfig& config, RgbdTopics topics, StaticTopics static_topics,
-                Callbacks callbacks);
+  MappingWorker(const MappingConfig& config, const CameraInfoConfig& camera_info, RgbdTopics topics,
+                StaticTopics static_topics, Callbacks callbacks);
 
   /// Stops after the frame in work; frames that wait are forgotten.
   ~MappingWorker();
@@ -94,6 +95,7 @@ class MappingWorker {
   void Refuse(const std::string& text);
 
   const MappingRosConfig config_;
+  const CameraInfoConfig camera_info_;
   const RgbdTopics topics_;
   const StaticTopics static_topics_;
   const Callbacks callbacks_;
