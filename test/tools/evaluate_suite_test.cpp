@@ -164,8 +164,8 @@ TEST_F(EvaluateSuiteTest, EvaluatesMasksWhereThereAreAnyAndTrueOnes) {
            "]}";
   };
   const ProgramRun run =
-      Run("[" + entry("with", "data1", "--masks") + "," + entry("without_masks", "data1", "") + "," +
-          entry("without_truth", "nobody2", "--masks") + "]");
+      Run("[" + entry("with", "data1", "--masks") + "," + entry("without_masks", "data1", "") +
+          "," + entry("without_truth", "nobody2", "--masks") + "]");
   EXPECT_EQ(run.exit_code, 0) << run.output;
   EXPECT_THAT(ReadWholeFile(folder_ / "evaluations.txt"),
               HasSubstr("--truth " + (folder_ / "data1") + " --estimate " +
