@@ -115,6 +115,32 @@ TEST(BlurFilter, SomebodyWhoCrossesTheViewIsNotBlur) {
   }
 }
 
+/// Share kept of the frames of a camera that stands while a blurred person of a width walks
+/// through.
+double ShareKeptBesidePerson(int width_px) {
+  constexpr int kStepPx = 33;
+  Sequence sequence;
+  const cv::Mat room = RoomImage(1);
+  const cv::Mat person = MotionBlurred(RoomImage(2), 12, 0)(cv::Rect(0, 0, width_px, 480));
+  sequence.NumKept(room, 5);
+  int num_kept = 0;
+  int num_shown = 0;
+  for (int x = 0; x + width_px <= room.cols; x += kStepPx) {
+    cv::Mat view = room.clone();
+    person.copyTo(view(cv::Rect(x, 0, width_px, 480)));
+    const bool keep = sequence.Show(view).keep;
+    if (x < 2 * kStepPx) continue;  // the person appears
+    ++num_shown;
+    num_kept += keep ? 1 : 0;
+  }
+  return static_cast<double>(num_kept) / num_shown;
+}
+
+TEST(BlurFilter, SomebodyWhoTakesUpMostOfTheViewBlursIt) {
+  EXPECT_EQ(ShareKeptBesidePerson(280), 1);
+  EXPECT_LE(ShareKeptBesidePerson(420), 0.5);
+}
+
 TEST(BlurFilter, LastingMotionWithEnoughDetailIsKept) {
   BlurFilterConfig config;
   for (const double enough_detail : {1.0, 1000.0}) {
@@ -165,11 +191,16 @@ TEST(BlurFilter, WallsAreNotBlurred) {
     Sequence sequence;
     sequence.NumKept(RoomImage(1), 30);
     EXPECT_EQ(sequence.NumKept(wall, 20), 20);
-    EXPECT_EQ(sequence.Show(wall).reason, BlurReason::kNoTexture);
     // The room is judged as before the wall.
     EXPECT_TRUE(sequence.Show(RoomImage(1)).keep);
     EXPECT_FALSE(sequence.Show(MotionBlurred(RoomImage(1), 12, 0.5)).keep);
   }
+}
+
+TEST(BlurFilter, SaysThatAWallHasNoTexture) {
+  Sequence sequence;
+  EXPECT_EQ(sequence.Show(WallImage()).reason, BlurReason::kNoTexture);
+  EXPECT_EQ(sequence.Show(RoomImage(1)).reason, BlurReason::kSharp);
 }
 
 TEST(BlurFilter, StartsAtAWallOrBlurredWithoutHarm) {
@@ -257,7 +288,7 @@ TEST(BlurFilter, CostsLittle) {
   }
   RecordProperty("frame_ms", std::to_string(frame_ms));
 #ifdef NDEBUG
-  EXPECT_LT(frame_ms, 5.0);  // 4 ms, with room for other machines
+  EXPECT_LT(frame_ms, 4.0);  // 3 ms, with room for other machines
 #endif
 }
 

@@ -70,6 +70,28 @@ TEST(ImageMotion, KnowsNothingOfTheFirstImageAndOtherSizes) {
   motion.Next(Grey(RoomImage(1)));
   EXPECT_TRUE(motion.Next(Grey(RoomImage(1))(cv::Rect(0, 0, 320, 240))).empty());
   EXPECT_TRUE(motion.Next(Grey(RoomImage(1))(cv::Rect(0, 0, 40, 40))).empty());
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_TRUE(motion.Next(Grey(RoomImage(1))(cv::Rect(0, 0, 640, 200))).empty());
+  }
+}
+
+TEST(ImageMotion, DifferenceAroundPlacesIsLeastAtTheirMotion) {
+  const cv::Mat room = Grey(RoomImage(1));
+  ImageMotion motion;
+  motion.Next(room);
+  motion.Next(Moved(room, 12, -8));
+  const auto difference = [&](const cv::Vec2f& moved_px) {
+    double sum = 0;
+    for (int v = 20; v < 100; v += 10) {
+      for (int u = 20; u < 140; u += 10) {
+        sum += static_cast<double>(motion.DifferenceAround({u, v}, moved_px));
+      }
+    }
+    return sum / (8 * 12);
+  };
+  EXPECT_LT(difference({12, -8}), 0.5);
+  EXPECT_GT(difference({16, -8}), 2);
+  EXPECT_GT(difference({12, 0}), 2);
 }
 
 TEST(BlurLength, CountsExposureAndTimeBetweenImages) {
@@ -101,6 +123,19 @@ TEST(BlurLength, SeesAKnockBetweenTwoImages) {
     EXPECT_NEAR(length.Next(blurred, 6 * kPeriodNs).length_px, 7, 2.5) << angle_rad;
     EXPECT_LT(length.Next(Grey(WithNoise(RoomImage(1), 2, 8)), 7 * kPeriodNs).length_px, 2)
         << angle_rad;
+  }
+}
+
+TEST(BlurLength, NoiseOnAWallIsNoMotion) {
+  constexpr double kNoisePx = 3.5;  // less than what is dropped
+  for (const cv::Mat& wall : {WallImage(), GradientImage()}) {
+    for (const double noise : {2.0, 4.0}) {
+      BlurLength length(0.012);
+      for (int i = 0; i < 20; ++i) {
+        const cv::Mat grey = Grey(WithNoise(wall, noise, i));
+        EXPECT_LT(length.Next(grey, i * 33'333'333LL).length_px, kNoisePx) << noise << ", " << i;
+      }
+    }
   }
 }
 

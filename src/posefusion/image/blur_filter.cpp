@@ -52,11 +52,7 @@ BlurDecision BlurFilter::Judge(const cv::Mat& rgb, StampNs stamp_ns) {
   const cv::Mat grey = GreyImage(rgb);
   BlurDecision decision =
       config_.mode == BlurMode::kAbsolute ? CompareScore(grey) : CompareLength(grey, stamp_ns);
-  if (CoarseContrast(grey) < config_.min_contrast) {
-    length_.Forget();
-    decision.keep = true;
-    decision.reason = BlurReason::kNoTexture;
-  } else if (!decision.keep && consecutive_drops_ >= config_.max_consecutive_drops) {
+  if (!decision.keep && consecutive_drops_ >= config_.max_consecutive_drops) {
     decision.keep = true;
     decision.reason = BlurReason::kDropLimit;
   }
@@ -67,6 +63,9 @@ BlurDecision BlurFilter::Judge(const cv::Mat& rgb, StampNs stamp_ns) {
 
 BlurDecision BlurFilter::CompareScore(const cv::Mat& grey) const {
   const double score = VarianceOfLaplacian(grey);
+  if (CoarseContrast(grey) < config_.min_contrast) {
+    return {true, score, config_.threshold, BlurReason::kNoTexture};
+  }
   const bool keep = score >= config_.threshold;
   return {keep, score, config_.threshold, keep ? BlurReason::kSharp : BlurReason::kBlurred};
 }
@@ -74,6 +73,10 @@ BlurDecision BlurFilter::CompareScore(const cv::Mat& grey) const {
 BlurDecision BlurFilter::CompareLength(const cv::Mat& grey, StampNs stamp_ns) {
   const BlurEstimate blur = length_.Next(grey, stamp_ns);
   const double limit_px = config_.max_length_px;
+  if (blur.contrast < config_.min_contrast) {
+    length_.Forget();
+    return {true, blur.length_px, limit_px, BlurReason::kNoTexture};
+  }
   if (blur.length_px <= limit_px) return {true, blur.length_px, limit_px, BlurReason::kSharp};
   if (blur.detail >= config_.enough_detail && !blur.is_sudden) {
     return {true, blur.length_px, limit_px, BlurReason::kDetailed};

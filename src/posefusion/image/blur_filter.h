@@ -23,7 +23,7 @@ struct BlurFilterConfig {
   double enough_detail = 46;
   double exposure_s = 0.012;       ///< length mode: how long the colour camera's shutter is open
   int max_consecutive_drops = 30;  ///< then one frame is kept whatever its score
-  double min_contrast = 100;       ///< below it an image has no texture to judge by [grey levels^2]
+  double min_contrast = 10;        ///< below it an image has no texture to judge by [grey levels^2]
 };
 
 template <class V>
@@ -72,7 +72,7 @@ class BlurFilter {
   /// @throws std::invalid_argument naming the key for a value out of range.
   explicit BlurFilter(const BlurFilterConfig& config);
 
-  /// Judges the next frame's colour image (CV_8UC3, R G B); 4 ms for 640x480.
+  /// Judges the next frame's colour image (CV_8UC3, R G B); 3 ms for 640x480.
   /// @throws std::invalid_argument for an empty image or another type.
   BlurDecision Judge(const cv::Mat& rgb, StampNs stamp_ns);
 

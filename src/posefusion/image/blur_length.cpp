@@ -34,11 +34,13 @@ constexpr double kPerSpread = 0.44;
 constexpr double kPerError = 13;
 constexpr double kPerSize = 0.23;
 
-/// What differs more from the camera's motion has a motion of its own. The flow, which is smooth,
-/// finds it too short.
+/// What differs more from the camera's motion has a motion of its own, unless the camera's explains
+/// the image clearly better: the flow carries background beside it along. The flow, which is
+/// smooth, finds it too short.
 constexpr double kOwnMotionPx = 1.9;
 constexpr double kOwnMotionPerLength = 0.39;
-constexpr double kOwnMotionMissingPx = 1;
+constexpr float kClearlyBetter = 0.8F;  ///< share of the difference that the own motion leaves
+constexpr float kOwnMotionMissingPx = 2.2F;
 
 double Square(double x) { return x * x; }
 
@@ -62,8 +64,8 @@ BlurLength::Blur BlurLength::Unknown() {
   return {square_px2, square_px2, Square(kGrowthPx2)};
 }
 
-bool BlurLength::HasSameContrast(const cv::Mat& grey) {
-  const double before = std::exchange(contrast_, CoarseContrast(grey));
+bool BlurLength::HasSameContrast(double contrast) {
+  const double before = std::exchange(contrast_, contrast);
   return std::max(before, contrast_) <= kSameContrast * std::min(before, contrast_);
 }
 
@@ -77,11 +79,12 @@ BlurEstimate BlurLength::Next(const cv::Mat& grey, StampNs stamp_ns) {
   cv::GaussianBlur(grey, fine_, {3, 3}, 0);
   const cv::Mat& moved_px = image_motion_.Next(grey);
   const double detail = FineDetail(fine_);
-  const bool same_light = HasSameContrast(grey);
+  const double contrast = CoarseContrast(grey);
+  const bool same_light = HasSameContrast(contrast);
   if (!follows || !same_light || moved_px.empty()) {
     tiles_.clear();
     blur_ = Unknown();
-    return {kUnknownPx, detail, false};
+    return {kUnknownPx, detail, false, contrast};
   }
   const double share = exposure_s_ / interval_s;
   std::vector<BlurTile> tiles = MeasureBlurGrowth(before_, smooth_, moved_px);
@@ -91,7 +94,7 @@ BlurEstimate BlurLength::Next(const cv::Mat& grey, StampNs stamp_ns) {
   Grow(consensus);
   Correct(FromMotion(consensus));
   const bool is_sudden = ClearGrowth(consensus) > kSuddenPx2;
-  return {MedianLength(moved_px, share, consensus), detail, is_sudden};
+  return {MedianLength(share, consensus), detail, is_sudden, contrast};
 }
 
 void BlurLength::Forget() { size_ = {}; }
@@ -127,27 +130,35 @@ void BlurLength::Correct(const Blur& measured) {
   blur_.variance_px4 *= 1 - gain;
 }
 
-double BlurLength::MedianLength(const cv::Mat& moved_px, double share,
-                                const BlurConsensus& consensus) {
-  const double camera_px = std::sqrt(std::max(blur_.xx_px2 + blur_.yy_px2, 0.0));
-  const auto more_px = static_cast<float>(camera_px - consensus.length_px);
-  const auto own_px = static_cast<float>(kOwnMotionPx + kOwnMotionPerLength * consensus.length_px);
-  const cv::Vec2f camera_motion_px(static_cast<float>(consensus.moved_px.x),
-                                   static_cast<float>(consensus.moved_px.y));
+double BlurLength::MedianLength(double share, const BlurConsensus& consensus) {
+  const auto camera_px = static_cast<float>(std::sqrt(std::max(blur_.xx_px2 + blur_.yy_px2, 0.0)));
+  const float more_px = camera_px - static_cast<float>(consensus.length_px);
+  const double own_px = kOwnMotionPx + kOwnMotionPerLength * consensus.length_px;
+  const cv::Vec2f camera_moved_px = cv::Point2f(consensus.moved_px / share);
+  const cv::Mat& moved_px = image_motion_.moved_px();
   lengths_px_.clear();
   for (int v = kSampleStride / 2; v < moved_px.rows; v += kSampleStride) {
     for (int u = kSampleStride / 2; u < moved_px.cols; u += kSampleStride) {
-      const cv::Vec2f motion_px = static_cast<float>(share) * moved_px.at<cv::Vec2f>(v, u);
-      const cv::Vec2f own = motion_px - camera_motion_px;
-      const float length_px = std::hypot(motion_px[0], motion_px[1]);
-      const bool is_own = own.dot(own) > own_px * own_px;
-      const auto missing_px = is_own ? static_cast<float>(kOwnMotionMissingPx) : more_px;
-      lengths_px_.push_back(std::max(0.0F, length_px + missing_px));
+      const cv::Vec2f moved = moved_px.at<cv::Vec2f>(v, u);
+      const auto length_px = static_cast<float>(share * cv::norm(moved));
+      if (share * cv::norm(moved - camera_moved_px) <= own_px) {
+        lengths_px_.push_back(std::max(0.0F, length_px + more_px));
+      } else if (MovesWithCamera({u, v}, camera_moved_px)) {
+        lengths_px_.push_back(camera_px);
+      } else {
+        lengths_px_.push_back(length_px + kOwnMotionMissingPx);
+      }
     }
   }
   const auto middle = lengths_px_.begin() + static_cast<std::ptrdiff_t>(lengths_px_.size() / 2);
   std::nth_element(lengths_px_.begin(), middle, lengths_px_.end());
   return static_cast<double>(*middle);
+}
+
+bool BlurLength::MovesWithCamera(cv::Point place, const cv::Vec2f& camera_moved_px) const {
+  const auto& moved_px = image_motion_.moved_px().at<cv::Vec2f>(place);
+  return image_motion_.DifferenceAround(place, camera_moved_px) <=
+         kClearlyBetter * image_motion_.DifferenceAround(place, moved_px);
 }
 
 }  // namespace posefusion

@@ -15,6 +15,7 @@ struct BlurEstimate {
   double length_px = 0;    ///< how far its content moved while the shutter was open
   double detail = 0;       ///< what fine detail it has left, see FineDetail() [grey levels^2]
   bool is_sudden = false;  ///< the blur grew much at once; this alone shows it
+  double contrast = 0;     ///< of the image, see CoarseContrast() [grey levels^2]
 };
 
 /// Estimates how far the content of each image moved while the shutter was open, from two
@@ -25,8 +26,8 @@ struct BlurEstimate {
 ///   good for a knock, but the sum drifts, and there is none where nothing has texture.
 /// Both are combined for the camera as by a Kalman filter whose state are the squares of the
 /// components of l. What moves otherwise, such as a person close by, has the length of its own
-/// motion. The median over the image is the result. What is in view plays no part: a scene of less
-/// texture has not grown blurred. Images come in stamp order. The same images give the same
+/// motion. The median over the image is the result. What is in view plays no part: a scene
+/// of less texture has not grown blurred. Images come in stamp order. The same images give the same
 /// lengths. Not thread-safe.
 class BlurLength {
  public:
@@ -51,10 +52,12 @@ class BlurLength {
   static Blur FromMotion(const BlurConsensus& consensus);
   bool Follows(const cv::Mat& grey, StampNs stamp_ns) const;
   /// False when the light changed, which looks like blur. Takes the image's contrast.
-  bool HasSameContrast(const cv::Mat& grey);
+  bool HasSameContrast(double contrast);
   void Grow(const BlurConsensus& consensus);
   void Correct(const Blur& measured);
-  double MedianLength(const cv::Mat& moved_px, double share, const BlurConsensus& consensus);
+  double MedianLength(double share, const BlurConsensus& consensus);
+  /// Whether the camera's motion explains a place clearly better than the motion found there.
+  bool MovesWithCamera(cv::Point place, const cv::Vec2f& camera_moved_px) const;
 
   const double exposure_s_;
   ImageMotion image_motion_;

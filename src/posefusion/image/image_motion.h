@@ -19,19 +19,34 @@ class ImageMotion {
 
   /// Takes the next image (CV_8UC1) and tells where its content went since the image before: the
   /// motion in pixels of the image (CV_32FC2, 160 columns). It has the size 0 for the first image,
-  /// after another size, and for less than 64 rows or columns. Valid until the next call.
+  /// after another size, and where less than 64 rows or columns are left. Valid until the next
+  /// call.
   const cv::Mat& Next(const cv::Mat& grey);
 
+  const cv::Mat& moved_px() const { return motion_px_; }  ///< what Next() gave
+
+  /// Pixels of the image per pixel of the motion.
+  float scale() const { return scale_; }
+
+  /// Mean difference [grey levels] between the surroundings of a place of the motion, 5x5 of its
+  /// pixels, and where they were before if they moved by `moved_px`, pixels of the image.
+  float DifferenceAround(cv::Point place, const cv::Vec2f& moved_px) const;
+
  private:
-  void StartFromShifts(const std::vector<cv::Point2f>& proposals);
+  /// Those that differ by whole pixels, and none.
+  void CollectShifts(const std::vector<cv::Point2f>& proposals);
+  cv::Point2f BestShift(const cv::Rect& block) const;
+  void StartFromShifts();
 
   ShiftProposals proposals_;
   cv::Ptr<cv::DISOpticalFlow> flow_;
   cv::Size size_;  ///< of the last image
+  float scale_ = 1;
   cv::Mat before_;
   cv::Mat now_;
-  cv::Mat before_f_;  ///< the same as CV_32FC1
-  cv::Mat now_f_;
+  cv::Mat now_f_;          ///< the same as CV_32FC1
+  cv::Mat padded_before_;  ///< with a margin as far as shifts reach
+  std::vector<cv::Point2f> shifts_;
   cv::Mat motion_px_;
 };
 
