@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "posefusion/segmentation/seed_distance.h"
-
 namespace posefusion {
 namespace {
 
@@ -31,7 +29,7 @@ constexpr float kMinCosine = 0.1F;       ///< flatter views say little of an are
 BackgroundSurfaces::BackgroundSurfaces(const BackgroundSurfacesConfig& config)
     : config_(config), min_cosine_(static_cast<float>(std::cos(config.max_angle_rad))) {}
 
-void BackgroundSurfaces::Find(const CellGrid& cells, const std::vector<Eigen::Vector3f>& seeds,
+void BackgroundSurfaces::Find(const CellGrid& cells, const std::vector<BodyPoint>& seeds,
                               const cv::Mat& known_people, std::vector<Plane>& planes,
                               Grid<std::uint8_t>& background) {
   background.Resize(cells.width(), cells.height());
@@ -117,7 +115,7 @@ void BackgroundSurfaces::ComputeNormals(const CellGrid& cells) {
 }
 
 void BackgroundSurfaces::CollectCandidates(const CellGrid& cells,
-                                           const std::vector<Eigen::Vector3f>& seeds,
+                                           const std::vector<BodyPoint>& seeds,
                                            const cv::Mat& known_people) {
   points_.Clear();
   all_points_.Clear();
@@ -130,7 +128,7 @@ void BackgroundSurfaces::CollectCandidates(const CellGrid& cells,
       const Eigen::Vector3f point = cells.PointAt(x, y);
       if (point.z() <= 0) continue;
       const bool is_known = !known_people.empty() && known_people.at<std::uint8_t>(y, x) != 0;
-      near_.at(x, y) = is_known || distance.IsWithin(point, far) ? kNearSeeds : kFarFromSeeds;
+      near_.at(x, y) = is_known || distance.IsWithinShare(point, far) ? kNearSeeds : kFarFromSeeds;
       all_points_.Add(point, {x, y});
       if (near_.at(x, y) == kFarFromSeeds) points_.Add(point, {x, y});
     }

@@ -8,6 +8,7 @@
 #include "posefusion/image/depth_noise.h"
 #include "posefusion/segmentation/background_surfaces_config.h"
 #include "posefusion/segmentation/cell_grid.h"
+#include "posefusion/segmentation/seed_distance.h"
 
 namespace posefusion {
 
@@ -29,9 +30,8 @@ class BackgroundSurfaces {
   ///
   /// `planes` are the large ones of the frame before; they become those of this one. A table is
   /// still known when people hide most of it.
-  void Find(const CellGrid& cells, const std::vector<Eigen::Vector3f>& seeds,
-            const cv::Mat& known_people, std::vector<Plane>& planes,
-            Grid<std::uint8_t>& background);
+  void Find(const CellGrid& cells, const std::vector<BodyPoint>& seeds, const cv::Mat& known_people,
+            std::vector<Plane>& planes, Grid<std::uint8_t>& background);
 
  private:
   struct Points {
@@ -43,7 +43,7 @@ class BackgroundSurfaces {
   };
 
   void ComputeNormals(const CellGrid& cells);
-  void CollectCandidates(const CellGrid& cells, const std::vector<Eigen::Vector3f>& seeds,
+  void CollectCandidates(const CellGrid& cells, const std::vector<BodyPoint>& seeds,
                          const cv::Mat& known_people);
   Plane BestPlane(const CellGrid& cells);
   bool PlaneAround(const CellGrid& cells, int candidate, Plane& plane);

@@ -8,7 +8,8 @@ namespace posefusion {
 struct BackgroundSurfacesConfig {
   bool enabled = true;
   double max_angle_rad = 0.5;             ///< ... and its normal is so close to the plane's
-  double min_skeleton_distance_m = 0.22;  ///< a plane is found in cells this far from all seeds ...
+  double min_skeleton_distance_m = 0.18;  ///< a plane is found in cells this far from trunks and
+                                          ///< heads, less from limbs ...
   double min_area_m2 = 0.05;              ///< ... and has at least this area there
   double max_near_share = 0.6;            ///< smaller planes have no more than this near seeds
   double min_broken_area_m2 = 0.15;  ///< from this area on, cells count that are cut off from it

@@ -9,6 +9,7 @@
 
 #include "posefusion/image/grid.h"
 #include "posefusion/segmentation/cell_grid.h"
+#include "posefusion/segmentation/seed_distance.h"
 #include "posefusion/segmentation/unseen_part.h"
 
 namespace posefusion {
@@ -31,11 +32,14 @@ struct MinCutConfig {
   double sigma_m = 0.25;       ///< sigma of equation 2
   double source_weight = 0.8;  ///< cost of calling a point background (PCL's default)
   PenaltyDistance penalty_distance = PenaltyDistance::kSpace;
-  double max_penalty = 0.82;        ///< grid: equation 3 stops growing here (own extension) ...
-  double reach_m = 0.35;            ///< ... and goes on this far from all seeds
+  double max_penalty = 0.82;     ///< grid: equation 3 stops growing here (own extension) ...
+  double reach_m = 0.35;         ///< ... and goes on this far from all seeds
+  double unseen_penalty = 0.79;  ///< grid: its limit where a limb leaves the image (own extension)
   double depth_gap_sigma_m = 0.05;  ///< grid: edges over depth gaps cost less (own extension)
   double colour_sigma = 30;       ///< grid: edges over colour differences cost less (0 to 442) ...
   double min_colour_share = 0.2;  ///< ... down to this share (own extension)
+  double surface_edge_share = 0.2;  ///< grid: share that edges from large planes to what lies on
+                                    ///< them cost (own extension)
   double spacing_m = 0.015;  ///< grid: cells so far apart weigh equations 2 and 3 as they stand
   int pcl_neighbours = 14;   ///< pcl: edges of a point (PCL's default)
 };
@@ -48,6 +52,8 @@ void Describe(V& v, MinCutConfig& c) {
   v.Field("source_weight", c.source_weight, 0.01, 100.0);
   v.Choice("penalty_distance", c.penalty_distance, {"plane", "space"});
   v.Field("max_penalty", c.max_penalty, 0.1, 1000.0);
+  v.Field("unseen_penalty", c.unseen_penalty, 0.1, 1000.0);
+  v.Field("surface_edge_share", c.surface_edge_share, 0.0, 1.0);
   v.Field("depth_gap_sigma_m", c.depth_gap_sigma_m, 0.01, 100.0);
   v.Field("colour_sigma", c.colour_sigma, 1.0, 100000.0);
   v.Field("min_colour_share", c.min_colour_share, 0.0, 1.0);
@@ -62,6 +68,7 @@ enum class CellState : std::uint8_t {
   kFree,        ///< to be decided
   kPerson,      ///< certain; stays person whatever its neighbours are
   kBackground,  ///< certain
+  kSurface,     ///< certain background on a large plane
 };
 
 /// One person to be cut out of a region of the cells.
@@ -70,7 +77,7 @@ struct CutProblem {
   cv::Mat colours;                         ///< CV_8UC3 of the cells; empty: not used (`grid`)
   cv::Rect region;                         ///< of the cells; not empty
   Grid<CellState> states;                  ///< of the region
-  std::vector<Eigen::Vector3f> seeds;      ///< foreground points, camera frame
+  std::vector<BodyPoint> seeds;            ///< foreground points
   std::vector<UnseenPart> unseen_parts;    ///< equation 3 does not go on inside these (`grid`)
   std::optional<Eigen::Vector3f> gravity;  ///< unit vector downwards, camera frame
   double radius_m = 0;                     ///< r of equation 3
@@ -80,7 +87,8 @@ struct CutProblem {
 /// Divides the cells of a region into person and background at least cost:
 /// C = exp(-(len / sigma)^2) for neighbours that are parted (paper, equation 2), and for each cell
 /// `source_weight` when background, P = (distance to the nearest seed) / r when person (equation
-/// 3). Equal problems give equal cuts. Not thread-safe.
+/// 3). `grid` takes the seeds' share of r, `pcl` the same r for all. Equal problems give equal
+/// cuts. Not thread-safe.
 class MinCut {
  public:
   virtual ~MinCut() = default;

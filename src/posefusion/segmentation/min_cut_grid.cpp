@@ -6,8 +6,6 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc/detail/gcgraph.hpp>
 
-#include "posefusion/segmentation/seed_distance.h"
-
 namespace posefusion {
 namespace {
 
@@ -32,6 +30,13 @@ float BeyondReach(const Eigen::Vector3f& p_camera, float distance_m, float reach
   return std::max(beyond, 0.0F);
 }
 
+bool LeavesImage(const Eigen::Vector3f& p_camera, const std::vector<UnseenPart>& parts) {
+  return std::any_of(parts.begin(), parts.end(), [&](const UnseenPart& part) {
+    return part.leaves_image &&
+           (part.p_camera - p_camera).squaredNorm() < part.radius_m * part.radius_m;
+  });
+}
+
 }  // namespace
 
 MinCutGrid::MinCutGrid(const MinCutConfig& config) : config_(config) {}
@@ -52,13 +57,19 @@ void MinCutGrid::AddVertices(const CutProblem& problem) {
 }
 
 int MinCutGrid::SmoothnessWeight(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
-                                 float colour_share) const {
+                                 float share) const {
   const auto sigma = static_cast<float>(config_.sigma_m);
   const auto gap_sigma = static_cast<float>(config_.depth_gap_sigma_m);
   const float gap = a.z() - b.z();
   const float exponent =
       (a - b).squaredNorm() / (sigma * sigma) + gap * gap / (gap_sigma * gap_sigma);
-  return Scaled(colour_share * std::exp(-exponent));
+  return Scaled(share * std::exp(-exponent));
+}
+
+/// The end of a plane is an edge that depth and colour need not show.
+float MinCutGrid::SurfaceShare(CellState a, CellState b) const {
+  const bool ends = (a == CellState::kSurface) != (b == CellState::kSurface);
+  return ends ? static_cast<float>(config_.surface_edge_share) : 1;
 }
 
 /// What the colours of two cells of the region leave of the cost of parting them.
@@ -78,10 +89,17 @@ float MinCutGrid::ColourShare(const CutProblem& problem, const cv::Point& a,
   return least + (1 - least) * std::exp(-squared / (sigma * sigma));
 }
 
-/// Equation 3, level between the limit and the end of the reach.
-float MinCutGrid::Penalty(float distance_m, float beyond_m, double radius_m) const {
-  const auto radius = static_cast<float>(radius_m);
-  return std::min(distance_m / radius, static_cast<float>(config_.max_penalty)) + beyond_m / radius;
+/// Equation 3, level between the limit and the end of the reach. `p` is the point in the penalty's
+/// frame.
+float MinCutGrid::PenaltyAt(const CutProblem& problem, const SeedDistance& distance,
+                            const Eigen::Vector3f& p_camera, const Eigen::Vector3f& p) const {
+  const float beyond_m = BeyondReach(p_camera, std::sqrt(distance.Squared(p)),
+                                     static_cast<float>(config_.reach_m), problem.unseen_parts);
+  const auto radius = static_cast<float>(problem.radius_m);
+  const double limit =
+      LeavesImage(p_camera, problem.unseen_parts) ? config_.unseen_penalty : config_.max_penalty;
+  const float penalty = std::sqrt(distance.SquaredInShares(p)) / radius;
+  return std::min(penalty, static_cast<float>(limit)) + beyond_m / radius;
 }
 
 void MinCutGrid::Solve(const CutProblem& problem, cv::Mat& person) {
@@ -98,7 +116,9 @@ void MinCutGrid::Solve(const CutProblem& problem, cv::Mat& person) {
     return p;
   };
   seeds_.clear();
-  for (const Eigen::Vector3f& seed : problem.seeds) seeds_.push_back(in_penalty_frame(seed));
+  for (const BodyPoint& seed : problem.seeds) {
+    seeds_.push_back({in_penalty_frame(seed.p_camera), seed.radius_share});
+  }
   const SeedDistance distance(seeds_);
 
   Graph graph(static_cast<unsigned>(points_.size()), static_cast<unsigned>(8 * points_.size()));
@@ -109,10 +129,7 @@ void MinCutGrid::Solve(const CutProblem& problem, cv::Mat& person) {
     const int vertex = graph.addVtx();
     const CellState state = problem.states.at(places_[i].x, places_[i].y);
     if (state == CellState::kFree) {
-      const float metres = std::sqrt(distance.Squared(in_penalty_frame(points_[i])));
-      const float beyond = BeyondReach(points_[i], metres, static_cast<float>(config_.reach_m),
-                                       problem.unseen_parts);
-      const float penalty = Penalty(metres, beyond, problem.radius_m);
+      const float penalty = PenaltyAt(problem, distance, points_[i], in_penalty_frame(points_[i]));
       const float scale = cell_per_spacing * points_[i].z();
       graph.addTermWeights(vertex, Scaled(scale * source_weight), Scaled(scale * penalty));
     } else {
@@ -128,8 +145,11 @@ void MinCutGrid::Solve(const CutProblem& problem, cv::Mat& person) {
       if (!inside.contains(next)) continue;
       const int other = vertices_.at(next.x, next.y);
       if (other < 0) continue;
-      const int weight = SmoothnessWeight(points_[i], points_[static_cast<std::size_t>(other)],
-                                          ColourShare(problem, places_[i], next));
+      const float share = ColourShare(problem, places_[i], next) *
+                          SurfaceShare(problem.states.at(places_[i].x, places_[i].y),
+                                       problem.states.at(next.x, next.y));
+      const int weight =
+          SmoothnessWeight(points_[i], points_[static_cast<std::size_t>(other)], share);
       if (weight == 0) continue;
       graph.addEdges(static_cast<int>(i), other, weight, weight);
       has_edges = true;

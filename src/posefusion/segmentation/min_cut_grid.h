@@ -20,16 +20,17 @@ class MinCutGrid : public MinCut {
 
  private:
   void AddVertices(const CutProblem& problem);
-  float Penalty(float distance_m, float beyond_m, double radius_m) const;
-  int SmoothnessWeight(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
-                       float colour_share) const;
+  float PenaltyAt(const CutProblem& problem, const SeedDistance& distance,
+                  const Eigen::Vector3f& p_camera, const Eigen::Vector3f& p) const;
+  float SurfaceShare(CellState a, CellState b) const;
+  int SmoothnessWeight(const Eigen::Vector3f& a, const Eigen::Vector3f& b, float share) const;
   float ColourShare(const CutProblem& problem, const cv::Point& a, const cv::Point& b) const;
 
   const MinCutConfig config_;
   Grid<int> vertices_;                   ///< number of each cell's vertex; -1 = none
   std::vector<Eigen::Vector3f> points_;  ///< of the vertices
   std::vector<cv::Point> places_;        ///< of the vertices, in the region
-  std::vector<Eigen::Vector3f> seeds_;   ///< in the penalty's frame
+  std::vector<BodyPoint> seeds_;         ///< in the penalty's frame
 };
 
 }  // namespace posefusion

@@ -24,11 +24,13 @@ struct CellCloud {
 CellCloud MakeCloud(const CutProblem& problem) {
   const Eigen::Matrix3f R = RotationToPenaltyFrame(problem.gravity);
   CellCloud cloud;
-  for (const Eigen::Vector3f& seed : problem.seeds) cloud.foreground->push_back(ToPcl(R * seed));
+  for (const BodyPoint& seed : problem.seeds) {
+    cloud.foreground->push_back(ToPcl(R * seed.p_camera));
+  }
   for (int y = 0; y < problem.region.height; ++y) {
     for (int x = 0; x < problem.region.width; ++x) {
       const CellState state = problem.states.at(x, y);
-      if (state == CellState::kOutside || state == CellState::kBackground) continue;
+      if (state != CellState::kFree && state != CellState::kPerson) continue;
       const Eigen::Vector3f point =
           problem.cells->PointAt(problem.region.x + x, problem.region.y + y);
       cloud.points->push_back(ToPcl(R * point));

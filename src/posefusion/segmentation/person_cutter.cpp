@@ -71,7 +71,7 @@ struct PersonCutter::Parts {
         const bool in_range = z > 0 && z >= region.min_depth_m && z <= region.max_depth_m;
         const bool on_surface = background.at(region.cells.x + x, region.cells.y + y) != 0;
         problem.states.at(x, y) = !in_range    ? CellState::kOutside
-                                  : on_surface ? CellState::kBackground
+                                  : on_surface ? CellState::kSurface
                                                : CellState::kFree;
       }
     }
@@ -143,7 +143,7 @@ struct PersonCutter::Parts {
     problem.source_weight = config.min_cut.source_weight;
     problem.seeds.clear();
     for (const Seed& seed : kept.seeds) {
-      problem.seeds.push_back(seed.p_camera);
+      problem.seeds.push_back(seed.OnBody());
       FixSeed(seed);
     }
     problem.unseen_parts = person.unseen_parts;
@@ -165,11 +165,11 @@ struct PersonCutter::Parts {
 
   /// Planes are looked for away from everybody.
   void FindSurfaces(const cv::Mat& known_people, std::vector<Plane>* planes) {
-    std::vector<Eigen::Vector3f> seeds;
+    std::vector<BodyPoint> seeds;
     for (const auto* persons : {&people, &carried}) {
       for (const PersonSeeds& person : *persons) {
-        for (const Seed& seed : person.seeds) seeds.push_back(seed.p_camera);
-        for (const UnseenPart& part : person.unseen_parts) seeds.push_back(part.p_camera);
+        for (const Seed& seed : person.seeds) seeds.push_back(seed.OnBody());
+        for (const UnseenPart& part : person.unseen_parts) seeds.push_back({part.p_camera});
       }
     }
     std::vector<Plane> none;

@@ -29,6 +29,8 @@ constexpr float kTrunkHalfWidth = 0.4F;
 constexpr float kUpperArm = 0.35F;
 constexpr float kForearm = 0.5F;  ///< and hand
 constexpr float kGuardStep = 0.15F;
+/// Limbs that end outside the image begin this share of their length from its border.
+constexpr float kBorderShare = 0.33F;
 constexpr float kTrunkWeight = 2;  ///< trunk joints say more about where the body is
 
 bool IsTrunk(std::size_t joint) {
@@ -107,9 +109,32 @@ class Lifting {
     return nearest;
   }
 
-  Seed SeedAt(float u, float v, float z) const {
+  Seed SeedAt(float u, float v, float z, float radius_share) const {
     const Eigen::Vector2f ray = RayOf(camera_, u, v).cast<float>();
-    return {{u, v}, {ray.x() * z, ray.y() * z, z}};
+    return {{u, v}, {ray.x() * z, ray.y() * z, z}, radius_share};
+  }
+
+  Seed JointAt(std::size_t joint, float z) const {
+    return SeedAt(skeleton_[joint].u, skeleton_[joint].v, z, RadiusShareOf(joint));
+  }
+
+  float RadiusShareOf(std::size_t joint) const {
+    switch (joint) {
+      case kRightElbow:
+      case kLeftElbow:
+      case kRightWrist:
+      case kLeftWrist:
+        return static_cast<float>(config_.arm_radius_share);
+      case kRightHip:
+      case kLeftHip:
+      case kRightKnee:
+      case kLeftKnee:
+      case kRightAnkle:
+      case kLeftAnkle:
+        return static_cast<float>(config_.leg_radius_share);
+      default:
+        return 1;
+    }
   }
 
   void LiftJoints() {
@@ -117,7 +142,7 @@ class Lifting {
       const float tolerance_m = static_cast<float>(config_.max_body_depth_m) *
                                 std::clamp(skeleton_[i].p / kCertain, kLeastTolerance, 1.0F);
       const auto z = NearestLayer(joint_layers_[i], result_.body_depth_m, tolerance_m);
-      if (z) joints_[i] = SeedAt(skeleton_[i].u, skeleton_[i].v, *z);
+      if (z) joints_[i] = JointAt(i, *z);
     }
     while (LiftAlongBones()) continue;
   }
@@ -138,7 +163,7 @@ class Lifting {
     if (skeleton_[joint].p < kCertain) return false;
     float least = LongestBone(bone);
     for (const DepthLayer& layer : joint_layers_[joint]) {
-      const Seed seed = SeedAt(skeleton_[joint].u, skeleton_[joint].v, layer.depth_m);
+      const Seed seed = JointAt(joint, layer.depth_m);
       const float length = (seed.p_camera - known.p_camera).norm();
       if (length > least) continue;
       least = length;
@@ -209,10 +234,10 @@ class Lifting {
   }
 
   /// Seeds the surface at pixel (u, v) when it lies at depth z.
-  void SeedNear(float u, float v, float z) {
+  void SeedNear(float u, float v, float z, float radius_share) {
     const auto depth =
         NearestLayer(layers_.At(u, v, kBoneWindow), z, static_cast<float>(config_.bone_depth_m));
-    if (depth) result_.seeds.push_back(SeedAt(u, v, *depth));
+    if (depth) result_.seeds.push_back(SeedAt(u, v, *depth, radius_share));
   }
 
   /// Point at share t of the line between two seeds, also beyond them; 1 / z is linear in the
@@ -220,7 +245,9 @@ class Lifting {
   void SeedOnLine(const Seed& from, const Seed& to, float t) {
     const cv::Point2f pixel = from.pixel + t * (to.pixel - from.pixel);
     const float inverse = (1 - t) / from.p_camera.z() + t / to.p_camera.z();
-    if (inverse > 0) SeedNear(pixel.x, pixel.y, 1 / inverse);
+    const float share =
+        from.radius_share + std::min(t, 1.0F) * (to.radius_share - from.radius_share);
+    if (inverse > 0) SeedNear(pixel.x, pixel.y, 1 / inverse, share);
   }
 
   void SeedBones() {
@@ -259,10 +286,22 @@ class Lifting {
 
   bool Has(CocoJoint joint) const { return joints_[joint].has_value(); }
 
+  /// Whether a joint is so close to the border of the image that a limb of this length may leave
+  /// it.
+  bool IsAtBorder(const Seed& joint, float length_m) const {
+    const float reach_px =
+        kBorderShare * length_m * static_cast<float>(camera_.fx) / joint.p_camera.z();
+    const float right = static_cast<float>(camera_.width) - reach_px;
+    const float bottom = static_cast<float>(camera_.height) - reach_px;
+    return joint.pixel.x < reach_px || joint.pixel.y < reach_px || joint.pixel.x > right ||
+           joint.pixel.y > bottom;
+  }
+
   /// Whatever hangs on `joint` may be within a limb's length when `next` was not found.
   void GuardLimb(CocoJoint joint, CocoJoint next, float length_m) {
     if (Has(joint) && !Has(next))
-      result_.unseen_parts.push_back({joints_[joint]->p_camera, length_m});
+      result_.unseen_parts.push_back(
+          {joints_[joint]->p_camera, length_m, IsAtBorder(*joints_[joint], length_m)});
   }
 
   void FindUnseenParts() {
@@ -272,6 +311,10 @@ class Lifting {
     GuardLimb(kLeftElbow, kLeftWrist, kForearm);
     GuardLimb(kRightKnee, kRightAnkle, kLegLength / 2);
     GuardLimb(kLeftKnee, kLeftAnkle, kLegLength / 2);
+    GuardLimb(kRightWrist, kRightElbow, kForearm);
+    GuardLimb(kLeftWrist, kLeftElbow, kForearm);
+    GuardLimb(kRightAnkle, kRightKnee, kLegLength / 2);
+    GuardLimb(kLeftAnkle, kLeftKnee, kLegLength / 2);
     if (!Has(kNeck)) GuardLimb(kRightElbow, kRightShoulder, kTrunkLength);
     if (!Has(kNeck)) GuardLimb(kLeftElbow, kLeftShoulder, kTrunkLength);
     GuardLegs();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "posefusion/image/rgbd_frame.h"
+#include "posefusion/segmentation/seed_distance.h"
 #include "posefusion/segmentation/unseen_part.h"
 #include "posefusion/skeleton/skeletons.h"
 
@@ -21,6 +22,9 @@ struct SeedConfig {
   double bone_step_m = 0.05;          ///< distance between points on a bone
   double bone_depth_m = 0.15;         ///< a point lies this close in depth to the line of its bone
   bool seed_extremities = true;       ///< hands, feet and the top of the head, beyond the joints
+  double arm_radius_share = 0.56;     ///< elbows and wrists: of r of equation 3 and of the distance
+                                      ///< of large planes (own extension)
+  double leg_radius_share = 0.7;      ///< hips, knees and ankles: the same
   double min_depth_m = 0.3;           ///< nearer depth is none
   double max_depth_m = 8.0;           ///< farther depth is none
 };
@@ -36,6 +40,8 @@ void Describe(V& v, SeedConfig& c) {
   v.Field("bone_step_m", c.bone_step_m, 0.01, 1.0);
   v.Field("bone_depth_m", c.bone_depth_m, 0.01, 1.0);
   v.Field("seed_extremities", c.seed_extremities);
+  v.Field("arm_radius_share", c.arm_radius_share, 0.1, 1.0);
+  v.Field("leg_radius_share", c.leg_radius_share, 0.1, 1.0);
   v.Field("min_depth_m", c.min_depth_m, 0.0, 5.0);
   v.Field("max_depth_m", c.max_depth_m, 0.5, 50.0);
 }
@@ -44,6 +50,9 @@ void Describe(V& v, SeedConfig& c) {
 struct Seed {
   cv::Point2f pixel;         ///< incoming pixel grid
   Eigen::Vector3f p_camera;  ///< metres
+  float radius_share = 1;    ///< see BodyPoint
+
+  BodyPoint OnBody() const { return {p_camera, radius_share}; }
 };
 
 /// What is known of a person from keypoints and depth.

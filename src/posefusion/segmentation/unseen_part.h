@@ -8,6 +8,7 @@ namespace posefusion {
 struct UnseenPart {
   Eigen::Vector3f p_camera;  ///< metres
   float radius_m = 0;
+  bool leaves_image = false;  ///< the part goes on outside the image
 };
 
 }  // namespace posefusion
