@@ -1,6 +1,5 @@
 #include "posefusion/tracking/tracker.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -140,11 +139,8 @@ bool Tracker::Agrees(const Alignment& alignment, const PosePrior& prior) const {
 }
 
 PosePrior Tracker::InView(const MotionPrior& prior, const Eigen::Isometry3d& T_view_last) const {
-  Matrix6d R_last_map = Matrix6d::Zero();
-  R_last_map.topLeftCorner<3, 3>() = T_map_camera_.linear().transpose();
-  R_last_map.bottomRightCorner<3, 3>() = T_map_camera_.linear().transpose();
-  PosePrior pose_prior =
-      PriorInView(prior, T_view_last, R_last_map * covariance_ * R_last_map.transpose());
+  const Eigen::Matrix3d R_last_map = T_map_camera_.linear().transpose();
+  PosePrior pose_prior = PriorInView(prior, T_view_last, CovarianceInAxes(R_last_map, covariance_));
   pose_prior.student_t_dof = config_.prior.student_t_dof;
   return pose_prior;
 }
@@ -214,10 +210,9 @@ Tracker::FitDemand Tracker::DemandAfter(std::optional<double> elapsed_s, bool is
 }
 
 bool Tracker::IsPlausibleStep(const Eigen::Isometry3d& T_map_camera, double elapsed_s) const {
-  const Eigen::Isometry3d T_step = T_map_camera_.inverse() * T_map_camera;
-  return T_step.translation().norm() <= config_.max_step_m + config_.max_speed_mps * elapsed_s &&
-         LogSO3(T_step.linear()).norm() <=
-             config_.max_step_rad + config_.max_speed_radps * elapsed_s;
+  return IsWithin(T_map_camera_.inverse() * T_map_camera,
+                  config_.max_step_m + config_.max_speed_mps * elapsed_s,
+                  config_.max_step_rad + config_.max_speed_radps * elapsed_s);
 }
 
 /// Without elapsed time the pose may lie anywhere.
@@ -251,9 +246,7 @@ TrackingResult Tracker::Judge(const Alignment& alignment, const ModelView& view,
   }
   if (result.failure[0] != '\0') return result;
   result.covariance = CovarianceInMap(alignment, view);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
-      result.covariance.topLeftCorner<3, 3>(), Eigen::EigenvaluesOnly);
-  const double worst = std::sqrt(std::max(0.0, eigen.eigenvalues().maxCoeff()));
+  const double worst = WorstPositionSigma(result.covariance);
   if (worst > config_.max_sigma_m) {
     result.failure = "pose too uncertain";
     return result;
