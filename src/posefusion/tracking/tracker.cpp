@@ -51,7 +51,6 @@ TrackingResult Tracker::Start(const FramePyramid& frame, const Eigen::Isometry3d
   }
   T_map_camera_ = T_map_camera;
   covariance_.setZero();
-  T_last_step_.setIdentity();
   recent_.clear();
   recent_fits_.clear();
   Remember(frame);
@@ -66,13 +65,12 @@ TrackingResult Tracker::Track(const FramePyramid& frame, const ModelView& view,
   const double elapsed_s = SecondsBetween(recent_.back().stamp_ns, frame.stamp_ns);
   const double lag_s = config_.depth_lag_s + SecondsBetween(frame.depth_stamp_ns, frame.stamp_ns);
   Aligner::Start start;
-  start.T_color_depth = ExpSE3(-lag_s * Velocity());
-  start.T_view_camera = Guesses(frame, T_view_last);
+  start.T_color_depth = ExpSE3(-lag_s * Velocity(config_.velocity_frames));
+  start.T_view_camera = Guesses(frame, T_view_last, elapsed_s);
   const Task task{frame, view, parallel, elapsed_s};
   const TrackingResult result = prior ? TrackWithPrior(task, start, InView(*prior, T_view_last))
                                       : TrackFrom(task, start).result;
   if (result.health != TrackingHealth::kFailed) {
-    T_last_step_ = T_map_camera_.inverse() * result.T_map_camera;
     T_color_depth_ = start.T_color_depth;
     recent_fits_.push_back({result.inlier_ratio, result.intensity_rms, result.icp_sigmas});
     if (static_cast<int>(recent_fits_.size()) > config_.fit_window_frames) {
@@ -95,7 +93,6 @@ TrackingResult Tracker::Relocate(const FramePyramid& frame, const ModelView& vie
 
 void Tracker::Resume(const FramePyramid& frame, const TrackingResult& result) {
   T_map_camera_ = result.T_map_camera;
-  T_last_step_.setIdentity();
   T_color_depth_.setIdentity();
   covariance_ = result.covariance;
   recent_.clear();
@@ -145,9 +142,11 @@ PosePrior Tracker::InView(const MotionPrior& prior, const Eigen::Isometry3d& T_v
   return pose_prior;
 }
 
-Vector6d Tracker::Velocity() const {
+/// Mean velocity of the camera in its own axes over the last steps, or as many as are known.
+Vector6d Tracker::Velocity(int num_steps) const {
   if (recent_.size() < 2) return Vector6d::Zero();
-  const StampedPose& first = recent_.front();
+  const auto steps = std::min(static_cast<std::size_t>(num_steps), recent_.size() - 1);
+  const StampedPose& first = recent_[recent_.size() - 1 - steps];
   const StampedPose& last = recent_.back();
   return LogSE3(first.T_map_camera.inverse() * last.T_map_camera) /
          SecondsBetween(first.stamp_ns, last.stamp_ns);
@@ -164,10 +163,13 @@ void Tracker::Remember(const FramePyramid& frame) {
   previous_intensity_ = frame.levels[So3Level(frame)].intensity;
 }
 
-/// T_view_camera: where the camera may be now.
+/// T_view_camera: where the camera may be now. After a gap it no longer moves as before.
 std::vector<Eigen::Isometry3d> Tracker::Guesses(const FramePyramid& frame,
-                                                const Eigen::Isometry3d& T_view_last) const {
-  std::vector<Eigen::Isometry3d> guesses = {T_view_last * T_last_step_, T_view_last};
+                                                const Eigen::Isometry3d& T_view_last,
+                                                double elapsed_s) const {
+  const double steady_s = std::min(elapsed_s, config_.gap_s);
+  const Eigen::Isometry3d T_steady = ExpSE3(steady_s * Velocity(1));
+  std::vector<Eigen::Isometry3d> guesses = {T_view_last * T_steady, T_view_last};
   if (!config_.so3.enabled) return guesses;
   const PyramidLevel& level = frame.levels[So3Level(frame)];
   Eigen::Isometry3d T_turned = Eigen::Isometry3d::Identity();
