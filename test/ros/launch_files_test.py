@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Launch files: arguments are documented, the README lists them, and camera.launch fits its driver."""
+"""Launch files: arguments are documented, the README lists them, camera.launch fits its driver."""
 
 import os
 import re
