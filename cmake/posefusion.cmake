@@ -17,10 +17,11 @@ function(posefusion_library name)
     PUBLIC ${ARG_DEPENDS} PRIVATE posefusion_flags ${ARG_PRIVATE_DEPENDS})
 endfunction()
 
-# posefusion_tool(NAME DEPENDS ...) - a small main from src/tools/NAME.cpp, run by rosrun.
+# posefusion_tool(NAME [SOURCES ...] DEPENDS ...) - a small main from src/tools/NAME.cpp, run by
+# rosrun.
 function(posefusion_tool name)
-  cmake_parse_arguments(ARG "" "" "DEPENDS" ${ARGN})
-  add_executable(${name} ${name}.cpp)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_executable(${name} ${name}.cpp ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE posefusion_flags ${ARG_DEPENDS})
   set_target_properties(${name} PROPERTIES
     RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})

@@ -10,57 +10,14 @@
 #include <stdexcept>
 #include <vector>
 
+#include "posefusion_ros/bag_reading.h"
 #include "posefusion_ros/topic_names.h"
 
 namespace posefusion {
 namespace {
 
-std::string Absolute(const std::string& topic) {
-  return topic.empty() || topic[0] == '/' ? topic : "/" + topic;
-}
-
 RgbdTopics Absolute(const RgbdTopics& topics) {
-  return {Absolute(topics.rgb), Absolute(topics.depth), Absolute(topics.info)};
-}
-
-void Open(rosbag::Bag& bag, const std::string& path) {
-  try {
-    bag.open(path, rosbag::bagmode::Read);
-  } catch (const rosbag::BagUnindexedException&) {
-    throw std::runtime_error(path + ": the bag has no index, its recording was cut off; " +
-                             "'rosbag reindex " + path + "' saves what is in it");
-  } catch (const rosbag::BagException& error) {
-    throw std::runtime_error(path + ": cannot be read as a bag: " + error.what());
-  }
-}
-
-/// Messages per topic. @throws std::runtime_error naming a topic that has none or another type.
-int CountMessages(const rosbag::Bag& bag, const std::string& path, const std::string& topic,
-                  const std::string& type) {
-  rosbag::View view(bag, rosbag::TopicQuery(topic));
-  if (view.size() == 0) {
-    std::string others;
-    rosbag::View all(bag);
-    for (const auto* connection : all.getConnections()) {
-      if (connection->datatype == type) others += " " + connection->topic;
-    }
-    throw std::runtime_error(path + ": no messages on topic " + topic + "; topics of type " + type +
-                             (others.empty() ? ": none" : ":" + others));
-  }
-  for (const auto* connection : view.getConnections()) {
-    if (connection->datatype == type) continue;
-    throw std::runtime_error(path + ": topic " + topic + " is " + connection->datatype + ", not " +
-                             type);
-  }
-  return static_cast<int>(view.size());
-}
-
-template <class Message>
-boost::shared_ptr<Message> Read(const rosbag::MessageInstance& message) {
-  auto content = message.instantiate<Message>();
-  if (!content)
-    throw std::runtime_error("written with another definition of " + message.getDataType());
-  return content;
+  return {AbsoluteTopic(topics.rgb), AbsoluteTopic(topics.depth), AbsoluteTopic(topics.info)};
 }
 
 }  // namespace
@@ -74,7 +31,7 @@ struct BagSource::State {
         options(bag_options),
         topics(Absolute(bag_options.topics)),
         assembler(StampMatcherOptions{bag_options.max_difference_s}) {
-    Open(bag, path);
+    OpenBag(bag, path);
     num_frames = std::min(CountMessages(bag, path, topics.rgb, "sensor_msgs/Image"),
                           CountMessages(bag, path, topics.depth, "sensor_msgs/Image"));
     CountMessages(bag, path, topics.info, "sensor_msgs/CameraInfo");
@@ -102,9 +59,10 @@ struct BagSource::State {
   void AddMessage(const rosbag::MessageInstance& message) {
     try {
       const std::string& topic = message.getTopic();
-      if (topic == topics.info) Add(assembler.AddInfo(Read<sensor_msgs::CameraInfo>(message)));
-      if (topic == topics.rgb) AddRgb(Read<sensor_msgs::Image>(message));
-      if (topic == topics.depth) Add(assembler.AddDepth(Read<sensor_msgs::Image>(message)));
+      if (topic == topics.info)
+        Add(assembler.AddInfo(ReadMessage<sensor_msgs::CameraInfo>(message)));
+      if (topic == topics.rgb) AddRgb(ReadMessage<sensor_msgs::Image>(message));
+      if (topic == topics.depth) Add(assembler.AddDepth(ReadMessage<sensor_msgs::Image>(message)));
     } catch (const std::exception& error) {
       throw std::runtime_error(path + ": " + message.getTopic() + ": damaged message at " +
                                FormatStamp(static_cast<StampNs>(message.getTime().toNSec())) +

@@ -9,7 +9,7 @@ namespace posefusion {
 
 double PaceMeter::RateHz(double now_s) {
   DropOld(now_s);
-  if (notes_.size() < 2) return 0;
+  if (notes_.size() < 2) return static_cast<double>(notes_.size()) / window_s_;
   const double seconds = std::min(window_s_, std::max(now_s - *start_s_, 1e-3));
   return static_cast<double>(notes_.size()) / seconds;
 }

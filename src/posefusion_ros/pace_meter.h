@@ -15,11 +15,16 @@ class PaceMeter {
   void Note(double now_s, double delay_s = 0) {
     if (notes_.empty() && !start_s_) start_s_ = now_s;
     notes_.push_back({now_s, delay_s});
+    newest_delay_s_ = delay_s;
     DropOld(now_s);
   }
 
-  /// Per second, over the window or the time since the first one; 0 when nothing came.
+  /// Per second, over the window or, with more than one, the time since the first one; 0 when
+  /// nothing came.
   double RateHz(double now_s);
+
+  /// Of the newest one, in the window or not; -1 before the first.
+  double newest_delay_s() const { return newest_delay_s_; }
 
   /// Quantile of the delays in the window; 0 when nothing came.
   double DelayQuantileS(double share) const;
@@ -36,6 +41,7 @@ class PaceMeter {
 
   double window_s_;
   std::optional<double> start_s_;
+  double newest_delay_s_ = -1;
   std::deque<Entry> notes_;
 };
 

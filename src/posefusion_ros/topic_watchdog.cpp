@@ -8,13 +8,14 @@ namespace {
 
 constexpr double kPaceWindowS = 5;
 
-std::string SecondsText(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.0f s", seconds);
-  return text;
-}
-
 }  // namespace
+
+std::string SilenceText(const TopicState& topic) {
+  if (!topic.silent_s) return topic.name + " (nothing ever came)";
+  char seconds[32];
+  std::snprintf(seconds, sizeof seconds, "%.0f s", *topic.silent_s);
+  return topic.name + " (silent for " + seconds + ")";
+}
 
 TopicWatchdog::TopicWatchdog(std::vector<std::string> topics, double limit_s, double now_s)
     : topics_(std::move(topics)),
@@ -42,15 +43,12 @@ std::vector<TopicState> TopicWatchdog::States(double now_s) {
   return states;
 }
 
-std::string TopicWatchdog::SilentTopics(double now_s) const {
+std::string TopicWatchdog::SilentTopics(double now_s) {
   std::string text;
-  for (std::size_t i = 0; i < topics_.size(); ++i) {
-    const double silent_s = now_s - last_message_s_[i].value_or(start_s_);
+  for (const TopicState& topic : States(now_s)) {
+    const double silent_s = topic.silent_s.value_or(now_s - start_s_);
     if (silent_s < limit_s_ / 2) continue;  // topics that stop together stop a moment apart
-    if (!text.empty()) text += ", ";
-    text += topics_[i] + " (" +
-            (last_message_s_[i] ? "silent for " + SecondsText(silent_s) : "nothing ever came") +
-            ")";
+    text += (text.empty() ? "" : ", ") + SilenceText(topic);
   }
   return text;
 }

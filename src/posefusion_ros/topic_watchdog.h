@@ -15,6 +15,9 @@ struct TopicState {
   double rate_hz = 0;
 };
 
+/// The name and since when nothing comes: "/camera/image (silent for 5 s)".
+std::string SilenceText(const TopicState& topic);
+
 /// Finds out which topic keeps frames from coming together. Times are seconds of a steady clock.
 /// Not thread-safe.
 class TopicWatchdog {
@@ -37,7 +40,7 @@ class TopicWatchdog {
   std::optional<std::string> Complaint(double now_s, std::optional<double> closest_miss_s);
 
  private:
-  std::string SilentTopics(double now_s) const;
+  std::string SilentTopics(double now_s);
 
   const std::vector<std::string> topics_;
   const double limit_s_;

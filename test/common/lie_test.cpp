@@ -68,6 +68,29 @@ TEST(Lie, CovarianceBesideIsThatOfThePointThatMovesAlong) {
   EXPECT_LT((CovarianceBeside(covariance, lever) - expected).norm(), 1e-6 * expected.norm());
 }
 
+TEST(Lie, CovarianceInAxesTurnsTranslationAndRotationAlike) {
+  // A quarter turn about z takes x to y and y to -x.
+  const Eigen::Matrix3d R = ExpSO3({0, 0, M_PI / 2});
+  const Vector6d old_variances = (Vector6d() << 1, 2, 3, 4, 5, 6).finished();
+  const Vector6d new_variances = (Vector6d() << 2, 1, 3, 5, 4, 6).finished();
+  const Matrix6d turned = CovarianceInAxes(R, Matrix6d(old_variances.asDiagonal()));
+  EXPECT_LT((turned - Matrix6d(new_variances.asDiagonal())).norm(), kTolerance);
+}
+
+TEST(Lie, WorstPositionSigmaIsThatOfTheLongestAxisWhereverItPoints) {
+  const Vector6d variances = (Vector6d() << 0.01, 0.09, 0.04, 100, 100, 100).finished();
+  const Matrix6d covariance = CovarianceInAxes(ExpSO3({0.3, -0.2, 0.9}), variances.asDiagonal());
+  EXPECT_NEAR(WorstPositionSigma(covariance), 0.3, kTolerance);
+}
+
+TEST(Lie, StepsAreWithinLimitsOfBothWayAndTurn) {
+  const Eigen::Isometry3d T =
+      ExpSE3((Vector6d() << 0, 0, 0, 0, 0.2, 0).finished()) * Eigen::Translation3d(0.3, 0, 0.4);
+  EXPECT_TRUE(IsWithin(T, 0.51, 0.21));
+  EXPECT_FALSE(IsWithin(T, 0.49, 0.21));
+  EXPECT_FALSE(IsWithin(T, 0.51, 0.19));
+}
+
 TEST(Lie, SkewIsCrossProduct) {
   const Eigen::Vector3d a(1, -2, 3);
   const Eigen::Vector3d b(0.5, 4, -1);

@@ -7,6 +7,7 @@
 #include <boost/make_shared.hpp>
 
 #include "posefusion_ros/topic_names.h"
+#include "test/ros/log_lines.h"
 #include "test/ros/nodelet_graph.h"
 #include "test/ros/recorder.h"
 
@@ -115,6 +116,7 @@ TEST_F(BadInput, NoPoseIsPublishedWhileLost) {
   graph_.Publish(no_depth);
   EXPECT_TRUE(graph_.WaitFor([](const Status& status) { return status.state == "lost"; }));
   EXPECT_EQ(graph_.status().frames_lost, 1U);
+  EXPECT_EQ(graph_.status().times_lost, 1U);
   EXPECT_NE(graph_.status().detail, "");
 
   ExpectTracked(Good());
@@ -123,7 +125,8 @@ TEST_F(BadInput, NoPoseIsPublishedWhileLost) {
   EXPECT_EQ(tf.size(), 2U);
 }
 
-TEST_F(BadInput, RestartedBagResetsOnce) {
+TEST_F(BadInput, RestartedBagResetsOnceAndSaysSo) {
+  const LogLines log;
   for (int i = 0; i < 3; ++i) ExpectTracked(PairedMessages(i));
   for (int i = 0; i < 3; ++i) {
     graph_.Publish(PairedMessages(i, kSyntheticStartNs - 100 * kSecondNs));
@@ -132,6 +135,8 @@ TEST_F(BadInput, RestartedBagResetsOnce) {
     }));
   }
   EXPECT_EQ(graph_.status().frames_tracked, 3U);
+  EXPECT_TRUE(log.WaitFor("map and poses start anew"));
+  EXPECT_EQ(log.Count("map and poses start anew"), 1U);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "posefusion/dataset/trajectory_file.h"
 #include "posefusion/pipeline/slam_config.h"
 #include "posefusion_ros/topic_names.h"
+#include "test/ros/log_lines.h"
 #include "test/ros/nodelet_graph.h"
 #include "test/ros/recorder.h"
 #include "test/support/temporary_folder.h"
@@ -22,7 +23,9 @@
 namespace posefusion {
 namespace {
 
+using testing::Contains;
 using testing::HasSubstr;
+using testing::IsSupersetOf;
 
 class Operation : public testing::Test {
  protected:
@@ -166,11 +169,13 @@ TEST_F(Operation, HumanRemovalIsSwitchedWhileItRuns) {
 
 TEST_F(Operation, ParametersChangeWhileItRunsAndOutOfRangeOnesDoNot) {
   Start();
+  const LogLines log;
   SendFrames(2);
   EXPECT_EQ(DoubleOf(SetDouble("/mapping", "pyramid_max_depth_m", 3.5), "pyramid_max_depth_m"),
             3.5);
   EXPECT_EQ(DoubleOf(SetDouble("/mapping", "pyramid_max_depth_m", -1), "pyramid_max_depth_m"), 3.5);
   EXPECT_EQ(DoubleOf(SetDouble("/mapping", "no_such_key", 1), "pyramid_max_depth_m"), 3.5);
+  EXPECT_TRUE(log.WaitFor("nothing is changed: /mapping.pyramid.max_depth_m"));
   double on_server = 0;
   EXPECT_TRUE(ros::param::get("/mapping/pyramid/max_depth_m", on_server));
   EXPECT_EQ(on_server, 3.5);
@@ -198,21 +203,48 @@ TEST_F(Operation, DescriptionsHaveTheDefaultsOfTheConfigStructs) {
   EXPECT_EQ(DoubleOf(*updates.messages()[0], "pyramid_max_depth_m"), 2.25);
 }
 
+/// The newest entry of that name.
+diagnostic_msgs::DiagnosticStatus Newest(
+    const Recorder<diagnostic_msgs::DiagnosticArray>& diagnostics, const std::string& name) {
+  diagnostic_msgs::DiagnosticStatus found;
+  for (const auto& array : diagnostics.messages()) {
+    for (const auto& status : array->status) {
+      if (status.name == name) found = status;
+    }
+  }
+  return found;
+}
+
+std::vector<std::string> KeysOf(const diagnostic_msgs::DiagnosticStatus& status) {
+  std::vector<std::string> keys;
+  for (const auto& value : status.values) keys.push_back(value.key);
+  return keys;
+}
+
+TEST_F(Operation, DiagnosticsHaveWhatAnOperatorNeeds) {
+  const Recorder<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
+  Start();
+  for (int i = 0; i < 3; ++i) SendFrames(15);
+  const auto keys = [&](const std::string& name) { return KeysOf(Newest(diagnostics, name)); };
+  EXPECT_THAT(keys("mapping: topics"), Contains("/sharp/rgb/image_rect_color"));
+  EXPECT_THAT(keys("mapping: frames"),
+              IsSupersetOf({"rate [Hz]", "delay from image to pose, median [s]",
+                            "delay from image to pose, 95 % [s]", "waiting",
+                            "dropped because newer ones waited", "refused", "resets"}));
+  EXPECT_THAT(keys("mapping: tracking"),
+              IsSupersetOf({"health", "lost", "times lost", "times found again", "surfels"}));
+  EXPECT_THAT(keys("mapping: people"), IsSupersetOf({"people", "age of the mask [s]"}));
+  EXPECT_THAT(keys("mapping: stages"), IsSupersetOf({"track [ms]", "fuse [ms]"}));
+  EXPECT_EQ(Newest(diagnostics, "mapping: tf").level, diagnostic_msgs::DiagnosticStatus::OK);
+}
+
 TEST_F(Operation, DiagnosticsNameTheTopicThatIsSilent) {
   const Recorder<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
   Start();
-  const auto newest = [&](const std::string& name) {
-    diagnostic_msgs::DiagnosticStatus found;
-    for (const auto& array : diagnostics.messages()) {
-      for (const auto& status : array->status) {
-        if (status.name == name) found = status;
-      }
-    }
-    return found;
-  };
+  const auto newest = [&](const std::string& name) { return Newest(diagnostics, name); };
   ros::WallDuration(2.5).sleep();
   EXPECT_THAT(newest("blur_filter: topics").message,
-              HasSubstr("no data on /camera/rgb/image_rect_color"));
+              HasSubstr("no data on /camera/rgb/image_rect_color (nothing ever came)"));
   EXPECT_EQ(newest("blur_filter: topics").level, diagnostic_msgs::DiagnosticStatus::WARN);
   EXPECT_THAT(newest("mapping: frames").message, HasSubstr("no frame has come"));
   for (int i = 0; i < 3; ++i) SendFrames(15);

@@ -22,5 +22,16 @@ TEST(PaceMeter, YoungOnesCountFromTheirFirstEvent) {
   EXPECT_NEAR(meter.RateHz(101), 10, 1.1);
 }
 
+TEST(PaceMeter, RareEventsCountOverTheWholeWindow) {
+  PaceMeter meter(2.0);
+  EXPECT_EQ(meter.newest_delay_s(), -1);
+  meter.Note(100, 0.3);
+  EXPECT_EQ(meter.RateHz(100), 0.5) << "one event has no pace yet";
+  meter.Note(105, 0.4);
+  EXPECT_EQ(meter.RateHz(106), 0.5);
+  EXPECT_EQ(meter.RateHz(108), 0);
+  EXPECT_EQ(meter.newest_delay_s(), 0.4) << "also when nothing is in the window";
+}
+
 }  // namespace
 }  // namespace posefusion

@@ -43,6 +43,7 @@ void RobotRig::SendTransforms() {
     }
     tf2_msgs::TFMessage message;
     message.transforms = RobotTransforms(now_s);
+    message.transforms[0].transform.translation.x += odometry_offset_m;
     waiting.push_back(message);
     while (!waiting.empty() &&
            waiting.front().transforms[0].header.stamp.toSec() <= now_s - tf_delay_s) {

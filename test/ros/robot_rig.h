@@ -15,15 +15,16 @@
 namespace posefusion {
 
 /// A robot that publishes tf at 100 Hz and images at 30 Hz, in real time, with the stamps of now
-/// plus `offset_s`. The images are of a camera that sways; the robot's tf is of one that walks:
-/// where the two are in each other's frame is for Mapping to find out.
+/// plus `clock_offset_s`. The images are of a camera that sways; the robot's tf is of one that
+/// walks: where the two are in each other's frame is for Mapping to find out.
 class RobotRig {
  public:
   explicit RobotRig(NodeletGraph& graph);
   ~RobotRig();
 
-  std::atomic<double> tf_delay_s{0};      ///< transforms go out so much later than their stamps
-  std::atomic<double> clock_offset_s{0};  ///< of stamps
+  std::atomic<double> tf_delay_s{0};         ///< transforms go out so much later than their stamps
+  std::atomic<double> clock_offset_s{0};     ///< of stamps
+  std::atomic<double> odometry_offset_m{0};  ///< odometry believes to be so much further in x
   std::atomic<bool> send_tf{true};
   std::atomic<bool> send_depth{true};
 

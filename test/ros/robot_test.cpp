@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "posefusion_ros/topic_names.h"
+#include "test/ros/log_lines.h"
 #include "test/ros/recorder.h"
 #include "test/ros/robot_rig.h"
 
@@ -179,6 +180,44 @@ TEST_F(RobotTest, AFrameOfAnotherPublisherIsLeftToIt) {
   EXPECT_TRUE(HasTrouble("rival_odom has the parent map already (published by /rival)"));
   EXPECT_EQ(TransformsOf(tf_, "rival_odom").size(), 0U);
   EXPECT_GT(head_.size(), 0U);
+}
+
+TEST_F(RobotTest, ALoopInTfIsToldAndTrackingGoesOn) {
+  Start();
+  rig_->SendImages(0.5);
+  ASSERT_TRUE(head_.WaitForSize(1));
+  tf2_msgs::TFMessage loop;
+  loop.transforms = {MakeTransform(kCameraLink, "odom", ToStampNs(ros::Time::now()),
+                                   Eigen::Isometry3d::Identity())};
+  auto publisher = ros::NodeHandle().advertise<tf2_msgs::TFMessage>("/tf", 10, true);
+  publisher.publish(loop);
+  const std::size_t poses_before = head_.size();
+  rig_->SendImages(0.7);
+  EXPECT_TRUE(HasTrouble(std::string("odom has the parent ") + kCameraLink + " already"));
+  EXPECT_GT(head_.size(), poses_before + 5);
+  const std::size_t sent = TransformsOf(tf_, "odom").size();
+  rig_->SendImages(0.5);
+  EXPECT_EQ(TransformsOf(tf_, "odom").size(), sent) << "nothing makes it worse";
+}
+
+TEST_F(RobotTest, OdometryThatJumpsIsToldAndTheCorrectionFollows) {
+  Start();
+  const LogLines log;
+  rig_->SendImages(1);
+  const auto tracked = graph_.status().frames_tracked;
+  rig_->odometry_offset_m = 2;
+  rig_->SendImages(1.5);
+  ros::WallDuration(0.3).sleep();
+  const std::size_t told = log.Count("odom jumped by") - log.Count("the last: odom jumped by");
+  EXPECT_GE(told, 1U);
+  EXPECT_LE(told, 2U) << "an image may have been taken on the way";
+  EXPECT_EQ(graph_.status().frames_lost, 0U);
+  EXPECT_GT(graph_.status().frames_tracked, tracked + 10);
+  EXPECT_EQ(graph_.status().tf_trouble, "");
+  EXPECT_LT((ToIsometry(TransformsOf(tf_, "odom").back().transform).matrix() -
+             CorrectionOf(*head_.messages().back()).matrix())
+                .norm(),
+            kSubtractionTolerance);
 }
 
 TEST_F(RobotTest, TimeThatJumpsBackResetsOnceAndTheNewRunIsLocated) {

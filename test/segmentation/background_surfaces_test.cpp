@@ -10,16 +10,16 @@ namespace {
 
 class BackgroundSurfacesTest : public testing::Test {
  protected:
-  void Find(const SyntheticScene& scene, const std::vector<Eigen::Vector3f>& seeds) {
+  void Find(const SyntheticScene& scene, const std::vector<BodyPoint>& seeds) {
     cells_.Build(scene.Render().depth_m, scene.camera);
     BackgroundSurfaces(BackgroundSurfacesConfig())
         .Find(cells_, seeds, known_people_, planes_, background_);
   }
 
-  static std::vector<Eigen::Vector3f> SeedsOf(const SyntheticScene& scene) {
-    std::vector<Eigen::Vector3f> seeds;
+  static std::vector<BodyPoint> SeedsOf(const SyntheticScene& scene) {
+    std::vector<BodyPoint> seeds;
     for (const Seed& seed : LiftPerson(scene.Joints(), scene.Render(), SeedConfig()).seeds) {
-      seeds.push_back(seed.p_camera);
+      seeds.push_back(seed.OnBody());
     }
     return seeds;
   }
@@ -61,7 +61,7 @@ struct CoveredView {
     scene.top_m = -2;
   }
   SyntheticScene scene;
-  std::vector<Eigen::Vector3f> seeds = {{-0.4F, 0.3F, 1.0F}};
+  std::vector<BodyPoint> seeds = {{{-0.4F, 0.3F, 1.0F}}};
 };
 
 TEST_F(BackgroundSurfacesTest, KnownPeopleAreNoSurface) {

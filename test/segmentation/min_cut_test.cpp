@@ -31,7 +31,7 @@ class MinCutTest : public testing::TestWithParam<MinCutBackend> {
       }
     }
     for (const Seed& seed : LiftPerson(scene.Joints(), frame, SeedConfig()).seeds) {
-      problem_.seeds.push_back(seed.p_camera);
+      problem_.seeds.push_back(seed.OnBody());
     }
   }
 
@@ -105,7 +105,7 @@ TEST_P(MinCutTest, EndsAtAnEdgeOfColour) {
   problem_.states.Fill(CellState::kFree);
   for (int y = 40; y < 80; ++y) {
     problem_.states.at(80, y) = CellState::kPerson;
-    problem_.seeds.push_back(cells_.PointAt(80, y));
+    problem_.seeds.push_back({cells_.PointAt(80, y)});
   }
   problem_.colours = cv::Mat(cells_.size(), CV_8UC3, cv::Scalar(40, 60, 80));
   problem_.colours.colRange(kEdge, cells_.width()).setTo(cv::Scalar(180, 150, 120));

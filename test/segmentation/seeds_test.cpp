@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "test/segmentation/synthetic_person.h"
 
 namespace posefusion {
@@ -119,6 +121,33 @@ TEST(LiftPerson, SeedsBonesOnThePersonOnly) {
   const PersonSeeds person = LiftPerson(scene.Joints(), frame, config);
   EXPECT_GT(person.seeds.size(), 60U);
   for (const Seed& seed : person.seeds) EXPECT_NEAR(seed.p_camera.z(), 2.0F, kMillimetre);
+}
+
+TEST(LiftPerson, KnowsThatLimbsAreThinnerThanTheTrunk) {
+  const SyntheticScene scene;
+  const SeedConfig config = JointsOnly();
+  const PersonSeeds person = LiftPerson(scene.Joints(), scene.Render(), config);
+  ASSERT_EQ(person.num_joints, kJointsInView);
+  EXPECT_EQ(person.seeds[kNeck].radius_share, 1);
+  EXPECT_FLOAT_EQ(person.seeds[kRightWrist].radius_share,
+                  static_cast<float>(config.arm_radius_share));
+  EXPECT_FLOAT_EQ(person.seeds[kRightKnee].radius_share,
+                  static_cast<float>(config.leg_radius_share));
+}
+
+TEST(LiftPerson, LetsLimbsLeaveTheImageAtItsBorderOnly) {
+  const auto leaves = [](double person_x_m) {
+    SyntheticScene scene;
+    scene.person_x_m = person_x_m;
+    Skeleton joints = scene.Joints();
+    joints[kRightWrist] = joints[kLeftWrist] = Joint();
+    const PersonSeeds person = LiftPerson(joints, scene.Render(), JointsOnly());
+    EXPECT_FALSE(person.unseen_parts.empty());
+    return std::any_of(person.unseen_parts.begin(), person.unseen_parts.end(),
+                       [](const UnseenPart& part) { return part.leaves_image; });
+  };
+  EXPECT_FALSE(leaves(0));
+  EXPECT_TRUE(leaves(0.9));
 }
 
 TEST(LiftPerson, GivesNothingWithoutDepth) {

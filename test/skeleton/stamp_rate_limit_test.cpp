@@ -33,6 +33,7 @@ TEST(StampRateLimit, DoesNotCatchUpAfterAGap) {
   EXPECT_TRUE(limit.Accept(60 * kSecond));
   EXPECT_FALSE(limit.Accept(60 * kSecond + kSecond / 2));
   EXPECT_TRUE(limit.Accept(61 * kSecond));
+  EXPECT_FALSE(limit.Accept(61 * kSecond + kSecond / 2));
 }
 
 TEST(StampRateLimit, StartsAnewWhenStampsGoBack) {

@@ -234,6 +234,13 @@ TEST_F(RunDataset, MissingKeypointFolderIsNamedBeforeTheRun) {
   EXPECT_TRUE(LogHas("/nonexistent/keypoints"));
 }
 
+TEST_F(RunDataset, TopicsAndTfOfAFolderAreRefused) {
+  EXPECT_EQ(RunInto("out", "--keypoints topic:/skeletons_in"), 1);
+  EXPECT_TRUE(LogHas("topic:/skeletons_in: " + (folder_ / "data") + " is no bag"));
+  EXPECT_EQ(RunInto("out", "--odometry tf:odom"), 1);
+  EXPECT_TRUE(LogHas("tf:odom: " + (folder_ / "data") + " is no bag"));
+}
+
 TEST_F(RunDataset, CtrlCSavesWhatThereIs) {
   // The same few images again and again make a run of minutes.
   std::ofstream rgb_list(folder_ / "data/rgb.txt");

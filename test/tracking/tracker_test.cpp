@@ -108,6 +108,19 @@ TEST_F(TrackerTest, RecoversAFastTurn) {
   ExpectPose(Track(RenderedRoom::Furnished(), Moved(twist)), Moved(twist));
 }
 
+TEST_F(TrackerTest, SteadyMotionIsFollowedOverDroppedFrames) {
+  TrackingConfig config = SmallImages();
+  config.so3.enabled = false;  // it would find the turn by itself
+  const RenderedRoom room = RenderedRoom::Furnished();
+  const Vector6d step = (Vector6d() << 0, 0, 0, 0.01, 0.055, 0).finished();
+  Start(room, kStart, config);
+  for (int i = 1; i <= 2; ++i) ExpectPose(Track(room, Moved(i * step)), Moved(i * step));
+  constexpr int kDropped = 3;
+  stamp_ns_ += kDropped * kFrameInterval;
+  const Vector6d moved = (2 + kDropped + 1) * step;
+  ExpectPose(Track(room, Moved(moved)), Moved(moved));
+}
+
 TEST_F(TrackerTest, EachKindOfResidualWorksAlone) {
   const Vector6d twist = (Vector6d() << 0.01, -0.02, 0.01, 0.01, 0.01, -0.02).finished();
   for (const bool icp : {true, false}) {

@@ -1,5 +1,7 @@
 #include "posefusion/common/lie.h"
 
+#include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 namespace posefusion {
@@ -71,6 +73,23 @@ Matrix6d AdjointSE3(const Eigen::Isometry3d& T) {
 Matrix6d CovarianceBeside(const Matrix6d& covariance, const Eigen::Vector3d& lever_m) {
   const Matrix6d J = AdjointSE3(Eigen::Isometry3d(Eigen::Translation3d(-lever_m)));
   return J * covariance * J.transpose();
+}
+
+Matrix6d CovarianceInAxes(const Eigen::Matrix3d& R_new_old, const Matrix6d& covariance) {
+  Matrix6d turn = Matrix6d::Zero();
+  turn.topLeftCorner<3, 3>() = R_new_old;
+  turn.bottomRightCorner<3, 3>() = R_new_old;
+  return turn * covariance * turn.transpose();
+}
+
+double WorstPositionSigma(const Matrix6d& covariance) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance.topLeftCorner<3, 3>(),
+                                                             Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, eigen.eigenvalues().maxCoeff()));
+}
+
+bool IsWithin(const Eigen::Isometry3d& T_step, double max_m, double max_rad) {
+  return T_step.translation().norm() <= max_m && LogSO3(T_step.linear()).norm() <= max_rad;
 }
 
 Eigen::Isometry3d Orthonormalized(const Eigen::Isometry3d& T) {

@@ -31,6 +31,15 @@ Matrix6d AdjointSE3(const Eigen::Isometry3d& T);
 /// a point of the moving body that lies `lever_m` (map axes) beside the one of `covariance`.
 Matrix6d CovarianceBeside(const Matrix6d& covariance, const Eigen::Vector3d& lever_m);
 
+/// The same covariance in other axes: `R_new_old` turns translations and rotations alike.
+Matrix6d CovarianceInAxes(const Eigen::Matrix3d& R_new_old, const Matrix6d& covariance);
+
+/// Standard deviation of the position in its most uncertain direction, metres.
+double WorstPositionSigma(const Matrix6d& covariance);
+
+/// The step goes no further than `max_m` and turns by no more than `max_rad`.
+bool IsWithin(const Eigen::Isometry3d& T_step, double max_m, double max_rad);
+
 /// Same pose with its rotation made orthonormal again.
 Eigen::Isometry3d Orthonormalized(const Eigen::Isometry3d& T);
 

@@ -1,6 +1,5 @@
 #include "posefusion/loop_closure/relocaliser.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -16,13 +15,6 @@ const Vector6d kAside = (Vector6d() << 0.025, -0.025, 0.025, 0.02, -0.02, 0.02).
 const Vector6d kAsideToo = (Vector6d() << 0.025, 0.025, -0.025, -0.02, 0.02, 0.02).finished();
 /// Rotations count by what they move at this distance.
 constexpr double kTypicalDepthM = 1;
-
-/// Standard deviation of the position in its worst direction, metres.
-double WorstSigma(const TrackingResult& result) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
-      result.covariance.topLeftCorner<3, 3>(), Eigen::EigenvaluesOnly);
-  return std::sqrt(std::max(0.0, eigen.eigenvalues().maxCoeff()));
-}
 
 }  // namespace
 
@@ -132,9 +124,8 @@ std::optional<TrackingResult> Relocaliser::Confirm(const FramePyramid& frame,
   }
   const TrackingResult other =
       tracker.Relocate(frame, view, proposal.T_map_camera * ExpSE3(-aside), parallel);
-  const Eigen::Isometry3d T_between = result.T_map_camera.inverse() * other.T_map_camera;
-  if (T_between.translation().norm() > config_.max_spread_m ||
-      LogSO3(T_between.linear()).norm() > config_.max_spread_m / kTypicalDepthM) {
+  if (!IsWithin(result.T_map_camera.inverse() * other.T_map_camera, config_.max_spread_m,
+                config_.max_spread_m / kTypicalDepthM)) {
     return std::nullopt;
   }
   return result;
@@ -143,7 +134,8 @@ std::optional<TrackingResult> Relocaliser::Confirm(const FramePyramid& frame,
 /// The limits of what is believed.
 bool Relocaliser::IsCredible(const FramePyramid& frame, const ModelView& view,
                              const TrackingResult& result) const {
-  if (result.health == TrackingHealth::kFailed || WorstSigma(result) > config_.max_sigma_m) {
+  if (result.health == TrackingHealth::kFailed ||
+      WorstPositionSigma(result.covariance) > config_.max_sigma_m) {
     return false;
   }
   const Agreement agreement = Compare(frame, view, result.T_map_camera);
@@ -155,10 +147,9 @@ bool Relocaliser::IsCredible(const FramePyramid& frame, const ModelView& view,
 
 bool Relocaliser::IsPlausibleStep(const Proposal& from, StampNs stamp_ns,
                                   const Eigen::Isometry3d& T_map_camera) const {
-  const Eigen::Isometry3d T_step = from.T_map_camera.inverse() * T_map_camera;
   const double elapsed_s = SecondsBetween(from.stamp_ns, stamp_ns);
-  return T_step.translation().norm() <= tracking_.max_speed_mps * elapsed_s &&
-         LogSO3(T_step.linear()).norm() <= tracking_.max_speed_radps * elapsed_s;
+  return IsWithin(from.T_map_camera.inverse() * T_map_camera, tracking_.max_speed_mps * elapsed_s,
+                  tracking_.max_speed_radps * elapsed_s);
 }
 
 }  // namespace posefusion

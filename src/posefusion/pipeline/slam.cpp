@@ -133,8 +133,8 @@ TrackingResult Slam::State::Follow(const std::optional<MotionPrior>& prior) {
 }
 
 bool Slam::State::IsFar(const MotionPrior& prior) const {
-  return prior.T_last_camera.translation().norm() > config.tracking.prior.predict_m ||
-         LogSO3(prior.T_last_camera.linear()).norm() > config.tracking.prior.predict_rad;
+  return !IsWithin(prior.T_last_camera, config.tracking.prior.predict_m,
+                   config.tracking.prior.predict_rad);
 }
 
 double Slam::State::MotionWeight() const {

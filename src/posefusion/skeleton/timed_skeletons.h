@@ -1,11 +1,11 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "posefusion/skeleton/skeleton_source.h"
+#include "posefusion/skeleton/stamp_rate_limit.h"
 
 namespace posefusion {
 
@@ -27,13 +27,9 @@ class TimedSkeletons : public SkeletonSource {
   SkeletonCounts counts() const override { return source_->counts(); }
 
  private:
-  bool IsChosen(StampNs stamp_ns);
-
   std::unique_ptr<SkeletonSource> source_;
-  double rate_hz_;
+  StampRateLimit rate_limit_;
   StampNs delay_ns_;
-  std::optional<StampNs> first_ns_;
-  StampNs previous_ns_ = 0;
 };
 
 }  // namespace posefusion

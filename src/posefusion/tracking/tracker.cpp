@@ -1,6 +1,5 @@
 #include "posefusion/tracking/tracker.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -52,7 +51,6 @@ TrackingResult Tracker::Start(const FramePyramid& frame, const Eigen::Isometry3d
   }
   T_map_camera_ = T_map_camera;
   covariance_.setZero();
-  T_last_step_.setIdentity();
   recent_.clear();
   recent_fits_.clear();
   Remember(frame);
@@ -67,13 +65,12 @@ TrackingResult Tracker::Track(const FramePyramid& frame, const ModelView& view,
   const double elapsed_s = SecondsBetween(recent_.back().stamp_ns, frame.stamp_ns);
   const double lag_s = config_.depth_lag_s + SecondsBetween(frame.depth_stamp_ns, frame.stamp_ns);
   Aligner::Start start;
-  start.T_color_depth = ExpSE3(-lag_s * Velocity());
-  start.T_view_camera = Guesses(frame, T_view_last);
+  start.T_color_depth = ExpSE3(-lag_s * Velocity(config_.velocity_frames));
+  start.T_view_camera = Guesses(frame, T_view_last, elapsed_s);
   const Task task{frame, view, parallel, elapsed_s};
   const TrackingResult result = prior ? TrackWithPrior(task, start, InView(*prior, T_view_last))
                                       : TrackFrom(task, start).result;
   if (result.health != TrackingHealth::kFailed) {
-    T_last_step_ = T_map_camera_.inverse() * result.T_map_camera;
     T_color_depth_ = start.T_color_depth;
     recent_fits_.push_back({result.inlier_ratio, result.intensity_rms, result.icp_sigmas});
     if (static_cast<int>(recent_fits_.size()) > config_.fit_window_frames) {
@@ -96,7 +93,6 @@ TrackingResult Tracker::Relocate(const FramePyramid& frame, const ModelView& vie
 
 void Tracker::Resume(const FramePyramid& frame, const TrackingResult& result) {
   T_map_camera_ = result.T_map_camera;
-  T_last_step_.setIdentity();
   T_color_depth_.setIdentity();
   covariance_ = result.covariance;
   recent_.clear();
@@ -140,18 +136,17 @@ bool Tracker::Agrees(const Alignment& alignment, const PosePrior& prior) const {
 }
 
 PosePrior Tracker::InView(const MotionPrior& prior, const Eigen::Isometry3d& T_view_last) const {
-  Matrix6d R_last_map = Matrix6d::Zero();
-  R_last_map.topLeftCorner<3, 3>() = T_map_camera_.linear().transpose();
-  R_last_map.bottomRightCorner<3, 3>() = T_map_camera_.linear().transpose();
-  PosePrior pose_prior =
-      PriorInView(prior, T_view_last, R_last_map * covariance_ * R_last_map.transpose());
+  const Eigen::Matrix3d R_last_map = T_map_camera_.linear().transpose();
+  PosePrior pose_prior = PriorInView(prior, T_view_last, CovarianceInAxes(R_last_map, covariance_));
   pose_prior.student_t_dof = config_.prior.student_t_dof;
   return pose_prior;
 }
 
-Vector6d Tracker::Velocity() const {
+/// Mean velocity of the camera in its own axes over the last steps, or as many as are known.
+Vector6d Tracker::Velocity(int num_steps) const {
   if (recent_.size() < 2) return Vector6d::Zero();
-  const StampedPose& first = recent_.front();
+  const auto steps = std::min(static_cast<std::size_t>(num_steps), recent_.size() - 1);
+  const StampedPose& first = recent_[recent_.size() - 1 - steps];
   const StampedPose& last = recent_.back();
   return LogSE3(first.T_map_camera.inverse() * last.T_map_camera) /
          SecondsBetween(first.stamp_ns, last.stamp_ns);
@@ -168,10 +163,13 @@ void Tracker::Remember(const FramePyramid& frame) {
   previous_intensity_ = frame.levels[So3Level(frame)].intensity;
 }
 
-/// T_view_camera: where the camera may be now.
+/// T_view_camera: where the camera may be now. After a gap it no longer moves as before.
 std::vector<Eigen::Isometry3d> Tracker::Guesses(const FramePyramid& frame,
-                                                const Eigen::Isometry3d& T_view_last) const {
-  std::vector<Eigen::Isometry3d> guesses = {T_view_last * T_last_step_, T_view_last};
+                                                const Eigen::Isometry3d& T_view_last,
+                                                double elapsed_s) const {
+  const double steady_s = std::min(elapsed_s, config_.gap_s);
+  const Eigen::Isometry3d T_steady = ExpSE3(steady_s * Velocity(1));
+  std::vector<Eigen::Isometry3d> guesses = {T_view_last * T_steady, T_view_last};
   if (!config_.so3.enabled) return guesses;
   const PyramidLevel& level = frame.levels[So3Level(frame)];
   Eigen::Isometry3d T_turned = Eigen::Isometry3d::Identity();
@@ -214,10 +212,9 @@ Tracker::FitDemand Tracker::DemandAfter(std::optional<double> elapsed_s, bool is
 }
 
 bool Tracker::IsPlausibleStep(const Eigen::Isometry3d& T_map_camera, double elapsed_s) const {
-  const Eigen::Isometry3d T_step = T_map_camera_.inverse() * T_map_camera;
-  return T_step.translation().norm() <= config_.max_step_m + config_.max_speed_mps * elapsed_s &&
-         LogSO3(T_step.linear()).norm() <=
-             config_.max_step_rad + config_.max_speed_radps * elapsed_s;
+  return IsWithin(T_map_camera_.inverse() * T_map_camera,
+                  config_.max_step_m + config_.max_speed_mps * elapsed_s,
+                  config_.max_step_rad + config_.max_speed_radps * elapsed_s);
 }
 
 /// Without elapsed time the pose may lie anywhere.
@@ -251,9 +248,7 @@ TrackingResult Tracker::Judge(const Alignment& alignment, const ModelView& view,
   }
   if (result.failure[0] != '\0') return result;
   result.covariance = CovarianceInMap(alignment, view);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
-      result.covariance.topLeftCorner<3, 3>(), Eigen::EigenvaluesOnly);
-  const double worst = std::sqrt(std::max(0.0, eigen.eigenvalues().maxCoeff()));
+  const double worst = WorstPositionSigma(result.covariance);
   if (worst > config_.max_sigma_m) {
     result.failure = "pose too uncertain";
     return result;

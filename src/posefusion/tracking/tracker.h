@@ -71,13 +71,14 @@ class Tracker {
   bool Agrees(const Alignment& alignment, const PosePrior& prior) const;
   PosePrior InView(const MotionPrior& prior, const Eigen::Isometry3d& T_view_last) const;
   std::vector<Eigen::Isometry3d> Guesses(const FramePyramid& frame,
-                                         const Eigen::Isometry3d& T_view_last) const;
+                                         const Eigen::Isometry3d& T_view_last,
+                                         double elapsed_s) const;
   TrackingResult Judge(const Alignment& alignment, const ModelView& view,
                        std::optional<double> elapsed_s, bool is_confirmed) const;
   bool FitsLikeRecentFrames(const TrackingResult& result, FitDemand demand) const;
   Matrix6d CovarianceInMap(const Alignment& alignment, const ModelView& view) const;
   bool IsPlausibleStep(const Eigen::Isometry3d& T_map_camera, double elapsed_s) const;
-  Vector6d Velocity() const;
+  Vector6d Velocity(int num_steps) const;
   void Remember(const FramePyramid& frame);
   std::size_t So3Level(const FramePyramid& frame) const;
 
@@ -86,7 +87,6 @@ class Tracker {
   Eigen::Isometry3d T_map_camera_ = Eigen::Isometry3d::Identity();
   Matrix6d covariance_ = Matrix6d::Zero();  ///< of T_map_camera_, as in TrackingResult
   PriorTrust trust_;
-  Eigen::Isometry3d T_last_step_ = Eigen::Isometry3d::Identity();  ///< camera motion, last frame
   /// How well a good frame fitted the model.
   struct Fit {
     double inlier_ratio;
@@ -95,7 +95,7 @@ class Tracker {
   };
 
   std::deque<Fit> recent_fits_;
-  std::deque<StampedPose> recent_;  ///< of the last frames, for the velocity
+  std::deque<StampedPose> recent_;  ///< of the last good frames, for the velocity
   Eigen::Isometry3d T_color_depth_ = Eigen::Isometry3d::Identity();
   Grid<float> previous_intensity_;
 };

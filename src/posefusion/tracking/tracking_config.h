@@ -60,7 +60,7 @@ struct TrackingConfig {
   double max_fit_residual = 3.0;  ///< ... and intensity residual above this multiple: not tracked;
   double max_fit_icp = 3.0;       ///< ... and point-to-plane residual above this one
   double max_moved_residual = 1.7;  ///< (this multiple, of a pose found anywhere in the map)
-  double gap_s = 0.3;               ///< so long after the last good one, either is enough for that
+  double gap_s = 0.3;               ///< after so long either is enough for that; speed says nothing
   double max_step_m = 0.2;          ///< larger motion since the last good frame is not believed ...
   double max_speed_mps = 3.0;       ///< ... plus this times the time since then
   double max_step_rad = 0.4;        ///< nor larger rotation ...

@@ -33,7 +33,7 @@ void DescribeTopics(const std::vector<TopicState>& topics, double limit_s,
   for (const TopicState& topic : topics) {
     status.add(topic.name, PaceText(topic));
     if (topic.silent_s && *topic.silent_s < limit_s) continue;
-    silent += (silent.empty() ? "" : ", ") + topic.name;
+    silent += (silent.empty() ? "" : ", ") + SilenceText(topic);
   }
   if (silent.empty()) {
     status.summary(DiagnosticStatus::OK, "messages come on all topics");

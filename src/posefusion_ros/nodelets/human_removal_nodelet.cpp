@@ -8,12 +8,12 @@
 
 #include "posefusion/skeleton/clock_check.h"
 #include "posefusion_ros/conversions.h"
-#include "posefusion_ros/keypoint_rate_meter.h"
 #include "posefusion_ros/nodelets/checked_nodelet.h"
 #include "posefusion_ros/nodelets/diagnostics.h"
 #include "posefusion_ros/nodelets/human_removal_publishers.h"
 #include "posefusion_ros/nodelets/human_removal_worker.h"
 #include "posefusion_ros/nodelets/rgbd_subscriber.h"
+#include "posefusion_ros/pace_meter.h"
 #include "posefusion_ros/parameter_reader.h"
 #include "posefusion_ros/reconfigure_server.h"
 #include "posefusion_ros/skeleton_conversions.h"
@@ -102,8 +102,8 @@ class HumanRemovalNodelet : public CheckedNodelet {
     entry.add("frames dropped because newer ones waited", num_dropped_);
     entry.add("people", num_people_);
     entry.add("age of the mask [s]", mask_age_s_);
-    entry.add("keypoints [Hz]", rate_meter_.RateHz(SteadyNowS()));
-    entry.add("delay of keypoints [s]", rate_meter_.delay_s());
+    entry.add("keypoints [Hz]", keypoint_pace_.RateHz(SteadyNowS()));
+    entry.add("delay of keypoints [s]", keypoint_pace_.newest_delay_s());
     entry.summaryf(diagnostic_msgs::DiagnosticStatus::OK, "%d people", num_people_);
   }
 
@@ -145,14 +145,15 @@ class HumanRemovalNodelet : public CheckedNodelet {
 
   void NotePace(double delay_s) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    rate_meter_.Note(SteadyNowS(), delay_s);
+    keypoint_pace_.Note(SteadyNowS(), delay_s);
   }
   KeypointPace CurrentPace() {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return {rate_meter_.RateHz(SteadyNowS()), rate_meter_.delay_s()};
+    return {keypoint_pace_.RateHz(SteadyNowS()), keypoint_pace_.newest_delay_s()};
   }
 
   static constexpr double kErrorPeriodS = 5;
+  static constexpr double kKeypointWindowS = 2;
 
   HumanRemovalNodeletConfig config_;  ///< at the start
   std::string skeletons_topic_;       ///< resolved
@@ -163,7 +164,7 @@ class HumanRemovalNodelet : public CheckedNodelet {
                       [this](const std::string& text) { NODELET_ERROR_STREAM(text); },
                       [this](const std::string& text) { NODELET_INFO_STREAM(text); }};
   std::mutex mutex_;  ///< guards those below
-  KeypointRateMeter rate_meter_;
+  PaceMeter keypoint_pace_{kKeypointWindowS};
   PaceMeter frame_pace_;
   std::size_t num_dropped_ = 0;
   int num_people_ = 0;

@@ -37,7 +37,10 @@ void DescribeTracking(const Status& status, Diagnostics::Wrapper& entry) {
   entry.add("share of pixels with depth", status.valid_ratio);
   entry.add("tracked", status.frames_tracked);
   entry.add("lost", status.frames_lost);
+  entry.add("times lost", status.times_lost);
+  entry.add("times found again", status.times_found);
   entry.add("surfels", status.surfels);
+  entry.add("keyframes", status.keyframes);
   if (status.state == "lost") {
     entry.summary(DiagnosticStatus::ERROR, "lost: " + status.detail);
   } else if (status.health == "weak") {

@@ -25,6 +25,7 @@ Status MappingStatus::OfFrame(const FrameResult& result, const std_msgs::Header&
   status_.icp_rms_m = tracking.icp_rms_m;
   status_.intensity_rms = tracking.intensity_rms;
   status_.surfels = slam.NumSurfels();
+  status_.keyframes = static_cast<std::uint64_t>(slam.NumKeyframes());
   status_.delay_s = (ros::Time::now() - rgb_header.stamp).toSec();
   status_.tf_trouble = tf_trouble;
   FillPace(result.HasPose());
@@ -64,6 +65,8 @@ void MappingStatus::FillCounts(const MappingCounts& counts) {
   status_.frames_processed = counts.processed;
   status_.frames_tracked = counts.tracked;
   status_.frames_lost = counts.processed - counts.tracked;
+  status_.times_lost = counts.times_lost;
+  status_.times_found = counts.times_found;
   status_.frames_refused = counts.refused;
   status_.frames_dropped = counts.dropped;
   status_.resets = counts.resets;

@@ -112,8 +112,7 @@ bool MappingWorker::Work(const MappingMessages& messages) {
     return false;
   }
   last_stamp_ns_ = frame.stamp_ns;
-  ++counts_.processed;
-  if (result.HasPose()) ++counts_.tracked;
+  Count(result);
   counts_.human_info = messages.human_info;
   trouble_.AllWell();
   callbacks_.frame(slam_, result, messages.rgbd.rgb->header, CurrentCounts());
@@ -139,6 +138,7 @@ void MappingWorker::Reset() {
   counts_ = {};
   counts_.resets = resets;
   last_stamp_ns_ = -1;
+  had_pose_ = false;
   callbacks_.reset();
 }
 
@@ -153,6 +153,14 @@ MappingCounts MappingWorker::CurrentCounts() const {
   counts.paused = paused_;
   counts.trouble = trouble_.trouble();
   return counts;
+}
+
+void MappingWorker::Count(const FrameResult& result) {
+  ++counts_.processed;
+  if (result.HasPose()) ++counts_.tracked;
+  if (had_pose_ && !result.HasPose()) ++counts_.times_lost;
+  if (result.relocalised) ++counts_.times_found;
+  had_pose_ = result.HasPose();
 }
 
 void MappingWorker::Refuse(const std::string& text) {

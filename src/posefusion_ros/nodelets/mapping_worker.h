@@ -23,6 +23,8 @@ namespace posefusion {
 struct MappingCounts {
   std::size_t processed = 0;
   std::size_t tracked = 0;
+  std::size_t times_lost = 0;   ///< a frame without a pose followed one with
+  std::size_t times_found = 0;  ///< a lost camera was found among the keyframes
   std::size_t refused = 0;
   std::size_t dropped = 0;  ///< since the start
   std::size_t resets = 0;
@@ -92,6 +94,7 @@ class MappingWorker {
   void RunSteps();
   void PrepareStart(const std_msgs::Header& rgb_header);
   MappingCounts CurrentCounts() const;
+  void Count(const FrameResult& result);
   void Refuse(const std::string& text);
 
   const MappingRosConfig config_;
@@ -103,6 +106,7 @@ class MappingWorker {
   TroubleLog trouble_;
   MappingCounts counts_;
   StampNs last_stamp_ns_ = -1;
+  bool had_pose_ = false;  ///< the last frame given to Slam
   std::atomic<bool> paused_{false};
   std::mutex steps_mutex_;  ///< guards the one below
   std::deque<std::packaged_task<void()>> steps_;

@@ -11,14 +11,6 @@ namespace {
 
 constexpr std::uint32_t kQueueSize = 10;
 
-/// Block-diagonal: turns translation and rotation alike.
-Matrix6d TurnBoth(const Eigen::Matrix3d& R) {
-  Matrix6d turn = Matrix6d::Zero();
-  turn.topLeftCorner<3, 3>() = R;
-  turn.bottomRightCorner<3, 3>() = R;
-  return turn;
-}
-
 /// Pose of a frame that is fixed to the camera for a moment, with the covariance of the camera's
 /// pose moved there. Both in the axes of `world`.
 geometry_msgs::PoseWithCovariance PoseBeside(const Eigen::Isometry3d& T_world_camera,
@@ -42,10 +34,11 @@ geometry_msgs::TwistWithCovariance TwistOf(const TrackedPose& pose,
   twist.twist.angular.y = velocity[4];
   twist.twist.angular.z = velocity[5];
   // Difference of two poses with independent errors of the size of this one's.
-  const Matrix6d turn = to_frame * TurnBoth(pose.T_map_camera.linear().transpose());
+  const Matrix6d covariance =
+      CovarianceInAxes(pose.T_map_camera.linear().transpose(), pose.covariance);
   const double scale = 2 / (pose.interval_s * pose.interval_s);
   Eigen::Map<Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(twist.covariance.data()) =
-      turn * pose.covariance * turn.transpose() * scale;
+      to_frame * covariance * to_frame.transpose() * scale;
   return twist;
 }
 
@@ -77,9 +70,9 @@ void RobotPublishers::PublishOdometry(const LocatedPose& located) {
   odometry.header.stamp = ToRosTime(pose.stamp_ns);
   odometry.header.frame_id = frames_.visual_odom_frame;
   odometry.child_frame_id = frames_.base_frame.empty() ? pose.camera_frame : frames_.base_frame;
-  const Matrix6d turn =
-      TurnBoth(pose.T_visual_camera.linear() * pose.T_map_camera.linear().transpose());
-  odometry.pose = PoseBeside(pose.T_visual_camera, turn * pose.covariance * turn.transpose(),
+  const Eigen::Matrix3d R_visual_map =
+      pose.T_visual_camera.linear() * pose.T_map_camera.linear().transpose();
+  odometry.pose = PoseBeside(pose.T_visual_camera, CovarianceInAxes(R_visual_map, pose.covariance),
                              *located.T_camera_base);
   if (pose.interval_s > 0) odometry.twist = TwistOf(pose, *located.T_camera_base);
   odometry_.publish(odometry);

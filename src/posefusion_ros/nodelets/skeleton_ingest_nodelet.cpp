@@ -13,10 +13,10 @@
 #include "posefusion/skeleton/skeleton_checks.h"
 #include "posefusion/skeleton/skeleton_folder.h"
 #include "posefusion_ros/conversions.h"
-#include "posefusion_ros/keypoint_rate_meter.h"
 #include "posefusion_ros/nodelets/checked_nodelet.h"
 #include "posefusion_ros/nodelets/diagnostics.h"
 #include "posefusion_ros/nodelets/skeleton_ingest_config.h"
+#include "posefusion_ros/pace_meter.h"
 #include "posefusion_ros/parameter_reader.h"
 #include "posefusion_ros/skeleton_conversions.h"
 #include "posefusion_ros/topic_names.h"
@@ -55,9 +55,9 @@ class SkeletonIngestNodelet : public CheckedNodelet {
 
   void DescribePace(Diagnostics::Wrapper& entry) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const double rate_hz = rate_meter_.RateHz(SteadyNowS());
+    const double rate_hz = keypoint_pace_.RateHz(SteadyNowS());
     entry.add("rate [Hz]", rate_hz);
-    entry.add("delay [s]", rate_meter_.delay_s());
+    entry.add("delay [s]", keypoint_pace_.newest_delay_s());
     if (rate_hz > 0) {
       entry.summaryf(diagnostic_msgs::DiagnosticStatus::OK, "%.1f per second", rate_hz);
     } else {
@@ -166,7 +166,7 @@ class SkeletonIngestNodelet : public CheckedNodelet {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       header.frame_id = camera_frame_;
-      rate_meter_.Note(SteadyNowS(), (ros::Time::now() - header.stamp).toSec());
+      keypoint_pace_.Note(SteadyNowS(), (ros::Time::now() - header.stamp).toSec());
     }
     skeletons_.publish(ToSkeletonsMessage(skeletons, header));
   }
@@ -183,6 +183,7 @@ class SkeletonIngestNodelet : public CheckedNodelet {
   }
 
   static constexpr double kErrorPeriodS = 5;
+  static constexpr double kKeypointWindowS = 2;
 
   SkeletonIngestConfig config_;
   std::unique_ptr<SkeletonFolder> folder_;
@@ -200,7 +201,7 @@ class SkeletonIngestNodelet : public CheckedNodelet {
                       [this](const std::string& text) { NODELET_INFO_STREAM(text); }};
   std::mutex mutex_;  ///< guards those below
   std::string camera_frame_;
-  KeypointRateMeter rate_meter_;
+  PaceMeter keypoint_pace_{kKeypointWindowS};
   ros::Publisher skeletons_;
   std::unique_ptr<PoseNetworkThread> network_thread_;  // uses what is above
   ros::Subscriber messages_;
