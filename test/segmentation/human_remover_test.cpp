@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <stdexcept>
 
@@ -100,9 +101,23 @@ TEST(HumanRemover, WhoeverWasSeenForLongIsHeldWhenTheNetworkMissesThem) {
 TEST(HumanRemover, WhoeverWasSeenForAMomentIsSoonForgotten) {
   HumanRemover remover{HumanRemovalConfig()};
   const auto cuts = CutFrames(remover, 12, [](int i) {
-    return i < 4 ? kOnTime(i) : std::vector<Skeletons>{MovingPerson().NobodyAt(i)};
+    Skeletons seen = i < 4 ? MovingPerson().SkeletonsAt(i) : MovingPerson().NobodyAt(i);
+    for (Skeleton& person : seen.people) {
+      for (Joint& joint : person) joint.p = std::min(joint.p, 0.4F);  // as of a false person
+    }
+    return std::vector<Skeletons>{seen};
   });
   EXPECT_GT(cv::countNonZero(cuts[3].mask), 0);
+  EXPECT_EQ(cv::countNonZero(cuts.back().mask), 0);
+  EXPECT_EQ(cuts.back().num_people, 0);
+}
+
+TEST(HumanRemover, WhoeverWasSeenWellForAMomentIsKeptALittleLonger) {
+  HumanRemover remover{HumanRemovalConfig()};
+  const auto cuts = CutFrames(remover, 20, [](int i) {
+    return i < 4 ? kOnTime(i) : std::vector<Skeletons>{MovingPerson().NobodyAt(i)};
+  });
+  ExpectFound(cuts[12], 12);
   EXPECT_EQ(cv::countNonZero(cuts.back().mask), 0);
   EXPECT_EQ(cuts.back().num_people, 0);
 }

@@ -17,14 +17,28 @@ TEST(PersonTracks, HoldsLongerWhoeverWasSeenLonger) {
   PersonTracks tracks{config};
   const CellPerson brief = *tracks.Add(0);
   const CellPerson known = *tracks.Add(0);
-  tracks.Confirm(known, 1.0);
-  tracks.Confirm(brief, 0.0);
+  tracks.Confirm(known, 1.0, 0);
+  tracks.Confirm(brief, 0.0, 0);
   tracks.NoteKeypoints(config.min_hold_s + 0.01);
   EXPECT_FALSE(tracks.Holds(brief));
   tracks.NoteKeypoints(2.0);
   EXPECT_TRUE(tracks.Holds(known));
   tracks.NoteKeypoints(1.0 + config.max_hold_s + 0.01);
   EXPECT_FALSE(tracks.Holds(known));
+}
+
+TEST(PersonTracks, HoldsWhoeverShowedManyCertainJointsForAMoment) {
+  PersonHoldConfig config;
+  PersonTracks tracks{config};
+  const CellPerson certain = *tracks.Add(0);
+  const CellPerson uncertain = *tracks.Add(0);
+  tracks.Confirm(certain, 0, config.min_certain_joints);
+  tracks.Confirm(uncertain, 0, config.min_certain_joints - 1);
+  tracks.NoteKeypoints(config.min_hold_s + 0.01);
+  EXPECT_TRUE(tracks.Holds(certain));
+  EXPECT_FALSE(tracks.Holds(uncertain));
+  tracks.NoteKeypoints(config.certain_hold_s + 0.01);
+  EXPECT_FALSE(tracks.Holds(certain));
 }
 
 TEST(PersonTracks, NumbersRunOutWithoutHarm) {

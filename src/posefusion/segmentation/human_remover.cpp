@@ -132,7 +132,10 @@ void HumanRemover::State::CutSkeletons(PastFrame& entry, const Skeletons& skelet
   seeds = cutter->people();
   seen.cuts.assign(skeletons.people.size(), PersonCut());
   KeepCuts(seen.cuts);
-  for (std::size_t i = 0; i < seeds.size(); ++i) seen.cuts[i].trunk = TrunkShare(seeds[i]);
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    seen.cuts[i].trunk = TrunkShare(seeds[i]);
+    seen.cuts[i].num_certain_joints = seeds[i].num_certain_joints;
+  }
   MarkSure(entry);
   RecognisePeople(entry.people, time_s, tracks, seen.cuts);
   tracks.NoteKeypoints(time_s);  // not before everybody could be recognised

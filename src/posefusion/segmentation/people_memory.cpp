@@ -94,7 +94,7 @@ void RecognisePeople(const CellPeople& people, double time_s, PersonTracks& trac
     cut.owner = size > 0 ? KnownPersonIn(cut.cells, size, people, known) : kNobody;
     cut.is_new = size > 0 && cut.owner == kNobody;
     if (cut.is_new) cut.owner = tracks.Add(time_s).value_or(kNobody);
-    if (cut.owner != kNobody) tracks.Confirm(cut.owner, time_s);
+    if (cut.owner != kNobody) tracks.Confirm(cut.owner, time_s, cut.num_certain_joints);
   }
 }
 

@@ -14,9 +14,10 @@ constexpr float kFirstEvidence = 0.3F;
 /// Cells that a cut gave to one person.
 struct PersonCut {
   CellPerson owner = kNobody;
-  bool is_new = false;  ///< nobody knew the owner before
-  cv::Mat cells;        ///< CV_8UC1 of the cells' size, 255 = the person
-  float trunk = 1;      ///< share of the joints of the trunk that were found
+  bool is_new = false;         ///< nobody knew the owner before
+  cv::Mat cells;               ///< CV_8UC1 of the cells' size, 255 = the person
+  float trunk = 1;             ///< share of the joints of the trunk that were found
+  int num_certain_joints = 0;  ///< that it rests on
 };
 
 /// Far from all seeds a cut knows little of who is person; near them it knows what is not person,

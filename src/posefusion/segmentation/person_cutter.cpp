@@ -137,7 +137,7 @@ struct PersonCutter::Parts {
                      kept.seeds.end());
     const PersonRegion region = RegionOf(kept, cells, camera, config.region);
     if (region.cells.empty()) return false;
-    if (kept.seeds.size() < kMinSeeds && !person.has_certain_joint) return false;
+    if (kept.seeds.size() < kMinSeeds && person.num_certain_joints == 0) return false;
     OpenRegion(region);
     problem.radius_m = config.min_cut.radius_m;
     problem.source_weight = config.min_cut.source_weight;
@@ -191,7 +191,7 @@ PersonSeeds PersonCutter::Parts::SeedsOf(const CellSeeds& seeds) const {
   }
   PersonSeeds person;
   person.found.fill(true);  // nothing is known to be missing
-  person.has_certain_joint = !places.empty();
+  person.num_certain_joints = static_cast<int>(places.size());
   const std::size_t step = 1 + places.size() / kMaxCellSeeds;
   const float size = static_cast<float>(cells.size_px());
   std::vector<float> depths;

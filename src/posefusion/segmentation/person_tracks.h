@@ -13,6 +13,8 @@ struct PersonHoldConfig {
   double trusted_after_s = 0.3;  ///< ... this; from then on ...
   double hold_per_seen = 1.5;    ///< ... so many seconds for each second of being seen
   double max_hold_s = 2.0;       ///< somebody seen for long
+  double certain_hold_s = 0.4;   ///< at least so long whoever showed ...
+  int min_certain_joints = 4;    ///< ... so many certain joints at once, even for a moment
   /// What a cut covers moves the evidence of its cells towards 1 by this share ...
   double gain = 0.35;           ///< ... so close to a seed ...
   double gain_radius_m = 0.15;  ///< ... in the image, at the seed's depth,
@@ -33,6 +35,8 @@ void Describe(V& v, PersonHoldConfig& c) {
   v.Field("trusted_after_s", c.trusted_after_s, 0.0, 100.0);
   v.Field("hold_per_seen", c.hold_per_seen, 0.0, 100.0);
   v.Field("max_hold_s", c.max_hold_s, 0.0, 100.0);
+  v.Field("certain_hold_s", c.certain_hold_s, 0.0, 100.0);
+  v.Field("min_certain_joints", c.min_certain_joints, 1, 19);
   v.Field("gain", c.gain, 0.0, 1.0);
   v.Field("loss", c.loss, 0.0, 1.0);
   v.Field("far_gain", c.far_gain, 0.0, 1.0);
@@ -44,8 +48,9 @@ void Describe(V& v, PersonHoldConfig& c) {
   v.Field("min_cells", c.min_cells, 1, 10000);
 }
 
-/// Who is known, and since when. A false person, seen for a moment, is forgotten soon; somebody
-/// seen for long whom the network misses for a while is not. Times are seconds since any origin.
+/// Who is known, and since when. A false person, seen for a moment with few or uncertain joints, is
+/// forgotten soon; somebody seen for long whom the network misses for a while is not. Times are
+/// seconds since any origin.
 class PersonTracks {
  public:
   explicit PersonTracks(const PersonHoldConfig& config) : config_(config) {}
@@ -55,7 +60,8 @@ class PersonTracks {
 
   /// A number for somebody new; empty when all numbers are in use.
   std::optional<CellPerson> Add(double time_s);
-  void Confirm(CellPerson person, double time_s);
+  /// `num_certain_joints` of the keypoints that cover the person.
+  void Confirm(CellPerson person, double time_s, int num_certain_joints);
   void Forget(CellPerson person) { tracks_.erase(person); }
   void Clear() { tracks_.clear(); }
 
@@ -74,6 +80,7 @@ class PersonTracks {
   struct Track {
     double first_s = 0;
     double last_s = 0;
+    bool is_certain = false;
   };
 
   PersonHoldConfig config_;

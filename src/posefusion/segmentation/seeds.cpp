@@ -228,7 +228,7 @@ class Lifting {
       result_.found[i] = joints_[i].has_value();
       if (!joints_[i]) continue;
       result_.seeds.push_back(*joints_[i]);
-      if (skeleton_[i].p >= kCertain) result_.has_certain_joint = true;
+      if (skeleton_[i].p >= kCertain) ++result_.num_certain_joints;
     }
     result_.num_joints = static_cast<int>(result_.seeds.size());
   }

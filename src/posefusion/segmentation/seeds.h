@@ -59,9 +59,9 @@ struct Seed {
 struct PersonSeeds {
   std::vector<Seed> seeds;  ///< joints first, then points along bones and beyond
   std::vector<UnseenPart>
-      unseen_parts;                ///< limbs may reach these places: no plane is looked for there
-  int num_joints = 0;              ///< of the seeds
-  bool has_certain_joint = false;  ///< one of them at least
+      unseen_parts;            ///< limbs may reach these places: no plane is looked for there
+  int num_joints = 0;          ///< of the seeds
+  int num_certain_joints = 0;  ///< of the same
   std::array<bool, kNumCocoJoints> found{};  ///< joints that were lifted
   float body_depth_m = 0;                    ///< of most joints; 0 when nothing was lifted
 };
