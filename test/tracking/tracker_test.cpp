@@ -209,6 +209,18 @@ TEST_F(TrackerTest, AWallWithoutTextureIsWeakOrFailed) {
   EXPECT_NE(result.health, TrackingHealth::kGood) << result.covariance;
 }
 
+TEST_F(TrackerTest, UncertainPosesAreRefusedAfterAGapOnly) {
+  TrackingConfig config = SmallImages();
+  config.weak_sigma_m = 1e-5;  // every pose is
+  const RenderedRoom room = RenderedRoom::Furnished();
+  Start(room, kStart, config);
+  EXPECT_EQ(Track(room, kStart).health, TrackingHealth::kWeak);
+  stamp_ns_ += StampFromSeconds(config.gap_s);
+  const TrackingResult late = Track(room, kStart);
+  EXPECT_EQ(late.health, TrackingHealth::kFailed);
+  EXPECT_STREQ(late.failure, "pose too uncertain");
+}
+
 TEST_F(TrackerTest, CovarianceIsLargestAlongAFeaturelessWall) {
   TrackingConfig config = SmallImages();
   config.use_intensity = false;

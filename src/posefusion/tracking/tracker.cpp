@@ -208,7 +208,12 @@ bool Tracker::FitsLikeRecentFrames(const TrackingResult& result, FitDemand deman
 
 Tracker::FitDemand Tracker::DemandAfter(std::optional<double> elapsed_s, bool is_confirmed) const {
   if (!elapsed_s) return FitDemand::kIntensities;
-  return is_confirmed || *elapsed_s <= config_.gap_s ? FitDemand::kEither : FitDemand::kBoth;
+  return IsUnsupported(elapsed_s, is_confirmed) ? FitDemand::kBoth : FitDemand::kEither;
+}
+
+/// After a gap neither the last pose nor odometry says where the camera is.
+bool Tracker::IsUnsupported(std::optional<double> elapsed_s, bool is_confirmed) const {
+  return elapsed_s && *elapsed_s > config_.gap_s && !is_confirmed;
 }
 
 bool Tracker::IsPlausibleStep(const Eigen::Isometry3d& T_map_camera, double elapsed_s) const {
@@ -249,7 +254,8 @@ TrackingResult Tracker::Judge(const Alignment& alignment, const ModelView& view,
   if (result.failure[0] != '\0') return result;
   result.covariance = CovarianceInMap(alignment, view);
   const double worst = WorstPositionSigma(result.covariance);
-  if (worst > config_.max_sigma_m) {
+  const bool unsupported = IsUnsupported(elapsed_s, is_confirmed);
+  if (worst > (unsupported ? config_.weak_sigma_m : config_.max_sigma_m)) {
     result.failure = "pose too uncertain";
     return result;
   }

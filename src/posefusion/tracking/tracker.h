@@ -64,6 +64,7 @@ class Tracker {
   /// In what a frame must fit like recent ones.
   enum class FitDemand { kEither, kBoth, kIntensities };
 
+  bool IsUnsupported(std::optional<double> elapsed_s, bool is_confirmed) const;
   FitDemand DemandAfter(std::optional<double> elapsed_s, bool is_confirmed) const;
   Outcome TrackFrom(const Task& task, const Aligner::Start& start);
   TrackingResult TrackWithPrior(const Task& task, const Aligner::Start& start,

@@ -65,7 +65,8 @@ struct TrackingConfig {
   double max_speed_mps = 3.0;       ///< ... plus this times the time since then
   double max_step_rad = 0.4;        ///< nor larger rotation ...
   double max_speed_radps = 6.0;     ///< ... plus this times the time since then
-  double weak_sigma_m = 0.02;       ///< pose uncertain by more than this: health kWeak ...
+  double weak_sigma_m = 0.02;       ///< pose uncertain by more than this: health kWeak, after a
+                                    ///< gap not tracked ...
   double max_sigma_m = 0.04;        ///< ... and by more than this: not tracked
   double covariance_scale = 30.0;   ///< neighbouring pixels' errors are alike: multiplies A^-1
 };
