@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
+#include <optional>
 
 #include "posefusion/image/grid.h"
 #include "posefusion/segmentation/pixel_rays.h"
@@ -34,6 +35,16 @@ class CellGrid {
   int width() const { return depth_m_.width(); }
   int height() const { return depth_m_.height(); }
   cv::Size size() const { return {width(), height()}; }
+
+  /// The cell that shows a pixel; none outside the grid or where a coordinate is no number.
+  std::optional<cv::Point> CellAt(const cv::Point2f& pixel) const {
+    const float x = (pixel.x + 0.5F) / static_cast<float>(size_px_);
+    const float y = (pixel.y + 0.5F) / static_cast<float>(size_px_);
+    const auto w = static_cast<float>(width());
+    const auto h = static_cast<float>(height());
+    if (!(x >= 0 && y >= 0 && x < w && y < h)) return std::nullopt;
+    return cv::Point(static_cast<int>(x), static_cast<int>(y));
+  }
 
   /// Metres, 0 = none.
   float DepthAt(int x, int y) const { return depth_m_.at(x, y); }

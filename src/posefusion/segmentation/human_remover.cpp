@@ -61,7 +61,7 @@ struct HumanRemover::State {
   KeypointCuts seen;               ///< cut with keypoints
   std::vector<PersonCut> carried;  ///< cut with carried cells
   cv::Mat cell_mask;
-  cv::Mat known_people;
+  cv::Mat known_people;  ///< of the frame that is cut, by those before
   cv::Mat past_mask;
 };
 
@@ -124,7 +124,6 @@ void HumanRemover::State::CutSkeletons(PastFrame& entry, const Skeletons& skelet
                                        double time_s) {
   CutRequest request;
   request.skeletons = &skeletons;
-  MarkKnown(entry.people, known_people);
   request.known_people = known_people;
   request.planes = &entry.planes;
   request.gravity = gravity;
@@ -186,7 +185,6 @@ CellSeeds HumanRemover::State::SeedsOf(const CellPeople& people, CellPerson pers
 void HumanRemover::State::CutCarried(PastFrame& entry, double time_s, bool by_keypoints) {
   CutRequest request;
   request.gravity = gravity;
-  MarkKnown(entry.people, known_people);
   request.known_people = known_people;
   request.planes = &entry.planes;
   carried.clear();
@@ -218,6 +216,7 @@ void HumanRemover::State::CutAt(std::size_t index, const Skeletons* skeletons, c
   const bool by_keypoints = skeletons != nullptr;
   entry.planes = index > 0 ? history[index - 1].planes : std::vector<Plane>();
   ReleasePeople(tracks, entry.people);
+  MarkKnown(entry.people, known_people);
   if (by_keypoints) CutSkeletons(entry, *skeletons, time_s);
   CutCarried(entry, time_s, by_keypoints);
   UpdatePeople(by_keypoints ? &seen : nullptr, carried, entry.cells, time_s, tracks, entry.people);

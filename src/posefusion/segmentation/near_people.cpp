@@ -25,15 +25,13 @@ cv::Mat CellsWithoutDepth(const CellGrid& cells) {
 
 /// Number of certain joints in each hole.
 std::vector<int> JointsIn(const cv::Mat& labels, int num_labels, const Skeletons& skeletons,
-                          int cell_px, double min_confidence) {
+                          const CellGrid& cells, double min_confidence) {
   std::vector<int> joints(static_cast<std::size_t>(num_labels), 0);
-  const cv::Rect inside({0, 0}, labels.size());
   for (const Skeleton& skeleton : skeletons.people) {
     for (const Joint& joint : skeleton) {
       if (!(joint.p >= static_cast<float>(min_confidence))) continue;
-      const cv::Point cell(cvFloor((joint.u + 0.5F) / static_cast<float>(cell_px)),
-                           cvFloor((joint.v + 0.5F) / static_cast<float>(cell_px)));
-      if (inside.contains(cell)) ++joints[static_cast<std::size_t>(labels.at<int>(cell))];
+      const auto cell = cells.CellAt({joint.u, joint.v});
+      if (cell) ++joints[static_cast<std::size_t>(labels.at<int>(*cell))];
     }
   }
   return joints;
@@ -70,7 +68,7 @@ NearPeople FindNearPeople(const CellGrid& cells, const Skeletons* skeletons,
                                                           statistics, centres, 4, CV_32S);
   std::vector<int> joints(static_cast<std::size_t>(num_labels), 0);
   if (skeletons != nullptr) {
-    joints = JointsIn(labels, num_labels, *skeletons, cells.size_px(), config.min_joint_confidence);
+    joints = JointsIn(labels, num_labels, *skeletons, cells, config.min_joint_confidence);
   }
   const int num_before = is_held ? cv::countNonZero(before.cells) : 0;
   for (int label = 1; label < num_labels; ++label) {

@@ -18,14 +18,6 @@ const HumanRemovalConfig& Checked(const HumanRemovalConfig& config) {
   return config;
 }
 
-/// The cell that shows a pixel, where it is inside the grid.
-std::optional<cv::Point> CellOf(const CellGrid& cells, const cv::Point2f& pixel) {
-  const auto size = static_cast<float>(cells.size_px());
-  const cv::Point cell(cvFloor((pixel.x + 0.5F) / size), cvFloor((pixel.y + 0.5F) / size));
-  if (!cv::Rect({0, 0}, cells.size()).contains(cell)) return std::nullopt;
-  return cell;
-}
-
 }  // namespace
 
 struct PersonCutter::Parts {
@@ -79,7 +71,7 @@ struct PersonCutter::Parts {
 
   /// The cell that shows a seed is certainly person.
   void FixSeed(const Seed& seed) {
-    const auto cell = CellOf(cells, seed.pixel);
+    const auto cell = cells.CellAt(seed.pixel);
     if (!cell || !problem.region.contains(*cell)) return;
     if (std::abs(cells.DepthAt(cell->x, cell->y) - seed.p_camera.z()) > kSeedDepth) return;
     problem.states.at(cell->x - problem.region.x, cell->y - problem.region.y) = CellState::kPerson;
@@ -130,7 +122,7 @@ struct PersonCutter::Parts {
   bool OpenProblem(const PersonSeeds& person, const CameraModel& camera) {
     PersonSeeds kept = person;
     const auto is_on_background = [&](const Seed& seed) {
-      const auto cell = CellOf(cells, seed.pixel);
+      const auto cell = cells.CellAt(seed.pixel);
       return cell && background.at(cell->x, cell->y) != 0;
     };
     kept.seeds.erase(std::remove_if(kept.seeds.begin(), kept.seeds.end(), is_on_background),
