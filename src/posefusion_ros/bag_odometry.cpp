@@ -12,12 +12,11 @@
 #include "posefusion_ros/bag_reading.h"
 #include "posefusion_ros/conversions.h"
 #include "posefusion_ros/tf_tree.h"
+#include "posefusion_ros/topic_names.h"
 
 namespace posefusion {
 namespace {
 
-constexpr const char* kTfTopic = "/tf";
-constexpr const char* kTfStaticTopic = "/tf_static";
 /// So long after an image nothing of its time comes any more.
 constexpr double kLatestS = 2;
 /// Stamps that go back do not make anything forgotten: the frames after them are left out anyway.

@@ -44,10 +44,10 @@ TfBridge::TfBridge(ros::NodeHandle node, const FramesConfig& frames, const TfCon
       log_(kLogPeriodS, callbacks_.log_error, callbacks_.log_info) {
   CheckNames(frames);
   tf_subscriber_ = node.subscribe<tf2_msgs::TFMessage>(
-      "/tf", kQueueSize,
+      kTfTopic, kQueueSize,
       boost::function<void(const TfEvent&)>([this](const TfEvent& event) { OnTf(event, false); }));
   tf_static_subscriber_ = node.subscribe<tf2_msgs::TFMessage>(
-      "/tf_static", kQueueSize,
+      kTfStaticTopic, kQueueSize,
       boost::function<void(const TfEvent&)>([this](const TfEvent& event) { OnTf(event, true); }));
   imu_subscriber_ = node.subscribe<sensor_msgs::Imu>(
       kImuTopic, kQueueSize, [this](const sensor_msgs::ImuConstPtr& imu) { start_.AddImu(imu); });

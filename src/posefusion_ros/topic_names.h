@@ -12,6 +12,8 @@ constexpr const char* kCameraInfoTopic = "camera/rgb/camera_info";
 
 // From the robot.
 constexpr const char* kImuTopic = "imu";
+constexpr const char* kTfTopic = "/tf";  // absolute, as everywhere in ROS
+constexpr const char* kTfStaticTopic = "/tf_static";
 
 // From BlurFilter: the same messages, without the blurred ones.
 constexpr const char* kSharpRgbTopic = "sharp/rgb/image_rect_color";

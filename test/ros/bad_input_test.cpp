@@ -135,8 +135,8 @@ TEST_F(BadInput, RestartedBagResetsOnceAndSaysSo) {
     }));
   }
   EXPECT_EQ(graph_.status().frames_tracked, 3U);
-  EXPECT_TRUE(log.WaitFor("map and poses start anew"));
-  EXPECT_EQ(log.Count("map and poses start anew"), 1U);
+  EXPECT_TRUE(log.WaitFor({"map and poses start anew"}, 5));
+  EXPECT_EQ(log.Count({"map and poses start anew"}), 1U);
 }
 
 }  // namespace

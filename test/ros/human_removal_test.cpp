@@ -22,7 +22,7 @@
 #include "posefusion_ros/conversions.h"
 #include "posefusion_ros/skeleton_conversions.h"
 #include "posefusion_ros/topic_names.h"
-#include "test/ros/log_recorder.h"
+#include "test/ros/log_lines.h"
 #include "test/ros/nodelet_graph.h"
 #include "test/ros/person_scene.h"
 #include "test/ros/recorder.h"
@@ -221,7 +221,7 @@ TEST_F(HumanRemovalGraph, MissingAndLateKeypointsStopNobody) {
 }
 
 TEST_F(HumanRemovalGraph, BadSkeletonMessagesAreSurvived) {
-  const LogRecorder log;
+  const LogLines log;
   Start();
   Skeletons people = SyntheticPerson(0).skeletons;
   SkeletonsMessage unknown_layout = MessageOf(people);

@@ -175,7 +175,7 @@ TEST_F(Operation, ParametersChangeWhileItRunsAndOutOfRangeOnesDoNot) {
             3.5);
   EXPECT_EQ(DoubleOf(SetDouble("/mapping", "pyramid_max_depth_m", -1), "pyramid_max_depth_m"), 3.5);
   EXPECT_EQ(DoubleOf(SetDouble("/mapping", "no_such_key", 1), "pyramid_max_depth_m"), 3.5);
-  EXPECT_TRUE(log.WaitFor("nothing is changed: /mapping.pyramid.max_depth_m"));
+  EXPECT_TRUE(log.WaitFor({"nothing is changed: /mapping.pyramid.max_depth_m"}, 5));
   double on_server = 0;
   EXPECT_TRUE(ros::param::get("/mapping/pyramid/max_depth_m", on_server));
   EXPECT_EQ(on_server, 3.5);

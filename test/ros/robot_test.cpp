@@ -208,7 +208,7 @@ TEST_F(RobotTest, OdometryThatJumpsIsToldAndTheCorrectionFollows) {
   rig_->odometry_offset_m = 2;
   rig_->SendImages(1.5);
   ros::WallDuration(0.3).sleep();
-  const std::size_t told = log.Count("odom jumped by") - log.Count("the last: odom jumped by");
+  const std::size_t told = log.Count({"odom jumped by"}) - log.Count({"the last: odom jumped by"});
   EXPECT_GE(told, 1U);
   EXPECT_LE(told, 2U) << "an image may have been taken on the way";
   EXPECT_EQ(graph_.status().frames_lost, 0U);

@@ -10,7 +10,7 @@
 #include "posefusion_ros/conversions.h"
 #include "posefusion_ros/skeleton_conversions.h"
 #include "posefusion_ros/topic_names.h"
-#include "test/ros/log_recorder.h"
+#include "test/ros/log_lines.h"
 #include "test/ros/recorder.h"
 #include "test/skeleton/sample_skeletons.h"
 #include "test/support/temporary_folder.h"
@@ -89,7 +89,7 @@ class SkeletonIngest : public ::testing::Test {
   ros::Publisher image_;
   ros::Publisher skeletons_in_;
   Recorder<SkeletonsMessage> skeletons_{kSkeletonsTopic};
-  LogRecorder log_;
+  LogLines log_;
   nodelet::Loader loader_;
 };
 
@@ -135,8 +135,8 @@ TEST_F(SkeletonIngest, TopicIsCheckedAndGoesOnAfterBadMessages) {
   EXPECT_EQ(skeletons_.messages()[1]->layout, "coco18");
   EXPECT_TRUE(log_.WaitFor({"/skeletons_in", "mpii"}));
   EXPECT_TRUE(log_.WaitFor({"500.000000", "1.000000", "another clock"}));
-  EXPECT_EQ(log_.Count({"another clock"}), 1);
-  EXPECT_EQ(log_.Count({"more than 15 people"}), 1);
+  EXPECT_EQ(log_.Count({"another clock"}), 1U);
+  EXPECT_EQ(log_.Count({"more than 15 people"}), 1U);
 }
 
 TEST_F(SkeletonIngest, NetworkFindsPeopleInSharpImages) {

@@ -93,12 +93,13 @@ float MinCutGrid::ColourShare(const CutProblem& problem, const cv::Point& a,
 /// frame.
 float MinCutGrid::PenaltyAt(const CutProblem& problem, const SeedDistance& distance,
                             const Eigen::Vector3f& p_camera, const Eigen::Vector3f& p) const {
-  const float beyond_m = BeyondReach(p_camera, std::sqrt(distance.Squared(p)),
+  const SeedDistance::Squares squares = distance.To(p);
+  const float beyond_m = BeyondReach(p_camera, std::sqrt(squares.distance),
                                      static_cast<float>(config_.reach_m), problem.unseen_parts);
   const auto radius = static_cast<float>(problem.radius_m);
   const double limit =
       LeavesImage(p_camera, problem.unseen_parts) ? config_.unseen_penalty : config_.max_penalty;
-  const float penalty = std::sqrt(distance.SquaredInShares(p)) / radius;
+  const float penalty = std::sqrt(squares.in_shares) / radius;
   return std::min(penalty, static_cast<float>(limit)) + beyond_m / radius;
 }
 

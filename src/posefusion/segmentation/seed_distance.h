@@ -24,39 +24,32 @@ class SeedDistance {
     }
   }
 
-  /// Metres squared, of each seed divided by its share squared: a distance from a thin limb counts
-  /// as a longer one. Infinite without seeds.
-  float SquaredInShares(const Eigen::Vector3f& point) const {
-    float best = std::numeric_limits<float>::infinity();
-    for (std::size_t i = 0; i < x_.size(); ++i) {
-      const float squared = Squared(i, point) * weight_[i];
-      best = squared < best ? squared : best;
-    }
-    return best;
-  }
+  /// To the nearest seeds, metres squared; infinite without seeds.
+  struct Squares {
+    float distance = std::numeric_limits<float>::infinity();
+    /// Of each seed divided by its share squared: a distance from a thin limb counts as longer.
+    float in_shares = std::numeric_limits<float>::infinity();
+  };
 
-  /// Metres squared; infinite without seeds.
-  float Squared(const Eigen::Vector3f& point) const {
-    float best = std::numeric_limits<float>::infinity();
+  Squares To(const Eigen::Vector3f& point) const {
+    Squares best;
     for (std::size_t i = 0; i < x_.size(); ++i) {
-      const float squared = Squared(i, point);
-      best = squared < best ? squared : best;
+      const float dx = x_[i] - point.x();
+      const float dy = y_[i] - point.y();
+      const float dz = z_[i] - point.z();
+      const float squared = dx * dx + dy * dy + dz * dz;
+      const float in_shares = squared * weight_[i];
+      best.distance = squared < best.distance ? squared : best.distance;
+      best.in_shares = in_shares < best.in_shares ? in_shares : best.in_shares;
     }
     return best;
   }
 
   bool IsWithinShare(const Eigen::Vector3f& point, float distance_m) const {
-    return SquaredInShares(point) < distance_m * distance_m;
+    return To(point).in_shares < distance_m * distance_m;
   }
 
  private:
-  float Squared(std::size_t i, const Eigen::Vector3f& point) const {
-    const float dx = x_[i] - point.x();
-    const float dy = y_[i] - point.y();
-    const float dz = z_[i] - point.z();
-    return dx * dx + dy * dy + dz * dz;
-  }
-
   std::vector<float> x_;
   std::vector<float> y_;
   std::vector<float> z_;
