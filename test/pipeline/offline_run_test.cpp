@@ -5,7 +5,9 @@
 #include <stdexcept>
 
 #include "posefusion/dataset/trajectory_file.h"
+#include "posefusion/segmentation/human_remover.h"
 #include "posefusion/skeleton/arrival_queue.h"
+#include "test/segmentation/moving_person.h"
 #include "test/support/rendered_source.h"
 
 namespace posefusion {
@@ -119,6 +121,86 @@ TEST(OfflineRun, TakesKeypointsAtTheirArrivalAndSurvivesBadOnes) {
   EXPECT_EQ(run.num_bad_frames, 0);
   EXPECT_EQ(run.frames.size(), 12U);
   EXPECT_EQ(notes, std::vector<std::string>{"note"});
+}
+
+/// Somebody seen by a camera that is rolled clockwise by 90 degrees, with joints down to the hips.
+class RolledPerson : public FrameSource {
+ public:
+  static constexpr int kNumFrames = 4;
+
+  static RgbdFrame FrameAt(int index) { return Rolled(MovingPerson().FrameAt(index)); }
+  static Skeletons SkeletonsAt(int index) {
+    Skeletons skeletons = MovingPerson().SkeletonsAt(index);
+    for (Skeleton& person : skeletons.people) {
+      for (const CocoJoint joint : {kRightKnee, kLeftKnee, kRightAnkle, kLeftAnkle}) {
+        person[joint] = {};
+      }
+      person = Rolled(person, MovingPerson().SceneAt(index).camera);
+    }
+    return skeletons;
+  }
+
+  std::optional<RgbdFrame> Next() override {
+    if (index_ == kNumFrames) return std::nullopt;
+    return FrameAt(index_++);
+  }
+  std::optional<int> NumFrames() const override { return kNumFrames; }
+
+ private:
+  int index_ = 0;
+};
+
+/// The keypoints of the same, in time.
+class RolledSkeletons : public SkeletonSource {
+ public:
+  void Offer(const RgbdFrame& /*frame*/) override { ++num_offered_; }
+  std::vector<Skeletons> Take(StampNs /*now_ns*/) override {
+    return {RolledPerson::SkeletonsAt(num_offered_ - 1)};
+  }
+  SkeletonCounts counts() const override { return {num_offered_, 0}; }
+
+ private:
+  int num_offered_ = 0;
+};
+
+/// A camera at rest whose image's right points downwards.
+class RolledOdometry : public OdometrySource {
+ public:
+  std::optional<Eigen::Isometry3d> PoseAt(StampNs /*stamp_ns*/) const override {
+    Eigen::Isometry3d T_odom_camera = Eigen::Isometry3d::Identity();
+    T_odom_camera.linear() << 0, 0, 1, 0, 1, 0, -1, 0, 0;
+    return T_odom_camera;
+  }
+};
+
+std::vector<cv::Mat> MasksOfRolledPerson(const OdometrySource* odometry) {
+  RolledPerson source;
+  RolledSkeletons skeletons;
+  std::vector<cv::Mat> masks;
+  OfflineRunHooks hooks;
+  hooks.on_mask = [&](StampNs, const cv::Mat& mask) { masks.push_back(mask); };
+  SystemConfig config;
+  config.blur_filter.enabled = false;
+  RunOffline(source, config, 1, hooks, &skeletons, odometry);
+  return masks;
+}
+
+TEST(OfflineRun, CutsPeopleWithTheGravityOfOdometry) {
+  const RolledOdometry odometry;
+  const std::vector<cv::Mat> masks = MasksOfRolledPerson(&odometry);
+  const std::vector<cv::Mat> without = MasksOfRolledPerson(nullptr);
+  ASSERT_EQ(masks.size(), RolledPerson::kNumFrames);
+  ASSERT_EQ(without.size(), RolledPerson::kNumFrames);
+  HumanRemover remover((HumanRemovalConfig()));
+  for (int i = 0; i < RolledPerson::kNumFrames; ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    const cv::Mat expected = remover
+                                 .Process(RolledPerson::FrameAt(i), {RolledPerson::SkeletonsAt(i)},
+                                          Eigen::Vector3f::UnitX())
+                                 .mask;
+    EXPECT_EQ(cv::norm(masks[index], expected, cv::NORM_INF), 0) << i;
+    EXPECT_GT(cv::norm(masks[index], without[index], cv::NORM_INF), 0) << i;
+  }
 }
 
 }  // namespace

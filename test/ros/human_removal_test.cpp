@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <posefusion/HumanInfo.h>
 #include <ros/xmlrpc_manager.h>
+#include <rosbag/bag.h>
+#include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <cmath>
@@ -17,6 +19,7 @@
 #include "posefusion/dataset/trajectory_file.h"
 #include "posefusion/pipeline/offline_run.h"
 #include "posefusion/skeleton/skeleton_folder.h"
+#include "posefusion_ros/bag_odometry.h"
 #include "posefusion_ros/bag_source.h"
 #include "posefusion_ros/bag_writer.h"
 #include "posefusion_ros/conversions.h"
@@ -26,7 +29,9 @@
 #include "test/ros/nodelet_graph.h"
 #include "test/ros/person_scene.h"
 #include "test/ros/recorder.h"
+#include "test/ros/robot_tf.h"
 #include "test/skeleton/sample_skeletons.h"
+#include "test/support/rendered_source.h"
 #include "test/support/temporary_folder.h"
 
 namespace posefusion {
@@ -35,16 +40,30 @@ namespace {
 /// Long enough for a busy computer.
 constexpr double kPatientGraceS = 2;
 constexpr int kNumFrames = 30;
+constexpr char kCameraFrame[] = "camera_rgb_optical_frame";
+/// tf of an image comes after it.
+const ros::Duration kTfDelay(0.02);
 
 using Masks = std::map<StampNs, cv::Mat>;
 
-/// A bag of somebody walking, with keypoint files for every frame.
+/// The pose of the camera when the image was taken, but for a roll: masks without gravity differ.
+void WritePose(int index, StampNs stamp_ns, BagWriter& writer) {
+  const Eigen::Isometry3d T_odom_camera = posefusion::testing::SwayingPose(index) *
+                                          Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ());
+  tf2_msgs::TFMessage message;
+  message.transforms = {MakeTransform("odom", kCameraFrame, stamp_ns, T_odom_camera)};
+  writer.WriteOther(
+      [&](rosbag::Bag& bag) { bag.write(kTfTopic, ToRosTime(stamp_ns) + kTfDelay, message); });
+}
+
+/// A bag of somebody walking, with tf and keypoint files for every frame.
 void WriteRun(const TemporaryFolder& folder) {
   std::filesystem::create_directories(folder / "keypoints");
-  BagWriter writer(folder / "person.bag", "camera_rgb_optical_frame");
+  BagWriter writer(folder / "person.bag", kCameraFrame);
   for (int i = 0; i < kNumFrames; ++i) {
     const PersonFrame person = SyntheticPerson(i);
     writer.Write(person.frame);
+    WritePose(i, person.frame.stamp_ns, writer);
     const std::string name = FormatStamp(person.frame.stamp_ns) + ".json";
     posefusion::testing::WritePeople(folder / ("keypoints/" + name), person.skeletons.people);
   }
@@ -52,19 +71,20 @@ void WriteRun(const TemporaryFolder& folder) {
 }
 
 /// What run_dataset makes of it. Returns the trajectory file.
-std::string RunDirectly(const TemporaryFolder& folder, Masks& masks) {
+std::string RunDirectly(const TemporaryFolder& folder, Masks& masks,
+                        const SystemConfig& config = SystemConfig(),
+                        const OdometrySource* odometry = nullptr) {
   BagSource source(folder / "person.bag");
   SkeletonFolder skeletons(folder / "keypoints");
   OfflineRunHooks hooks;
   hooks.on_mask = [&](StampNs stamp_ns, const cv::Mat& mask) { masks[stamp_ns] = mask; };
-  const OfflineRun run = RunOffline(source, SystemConfig(), 1, hooks, &skeletons);
+  const OfflineRun run = RunOffline(source, config, 1, hooks, &skeletons, odometry);
   WriteTrajectory(run.trajectory, folder / "direct.txt");
   return ReadWholeFile(folder / "direct.txt");
 }
 
-/// The same through the nodelets.
-std::string RunThroughGraph(const TemporaryFolder& folder, Masks& masks) {
-  NodeletGraph graph;
+/// The same through the nodelets, of which `graph` may have parameters.
+std::string RunThroughGraph(const TemporaryFolder& folder, Masks& masks, NodeletGraph& graph) {
   const Recorder<sensor_msgs::Image> recorder(kStaticMaskTopic);
   graph.SetParam("/blur_filter/ros/input/lossless", true);
   graph.SetParam("/blur_filter/ros/input/flush_after_s", 0.3);
@@ -90,20 +110,49 @@ std::string RunThroughGraph(const TemporaryFolder& folder, Masks& masks) {
   return ReadWholeFile(folder / "out/trajectory.txt");
 }
 
+void ExpectEqual(const Masks& expected, const Masks& masks) {
+  ASSERT_EQ(masks.size(), expected.size());
+  EXPECT_GE(masks.size(), kNumFrames * 9U / 10);
+  for (const auto& [stamp_ns, mask] : expected) {
+    ASSERT_EQ(masks.count(stamp_ns), 1U);
+    EXPECT_GT(cv::countNonZero(mask), 200) << "somebody is in every frame";
+    EXPECT_EQ(cv::countNonZero(mask != masks.at(stamp_ns)), 0) << FormatStamp(stamp_ns);
+  }
+}
+
 TEST(HumanRemoval, FedSlowlyGivesMasksAndTrajectoryOfRunDataset) {
   const TemporaryFolder folder;
   WriteRun(folder);
   Masks direct_masks;
   Masks masks;
   const std::string direct = RunDirectly(folder, direct_masks);
-  EXPECT_EQ(RunThroughGraph(folder, masks), direct);
-  ASSERT_EQ(masks.size(), direct_masks.size());
-  EXPECT_GE(masks.size(), kNumFrames * 9U / 10);
+  NodeletGraph graph;
+  EXPECT_EQ(RunThroughGraph(folder, masks, graph), direct);
+  ExpectEqual(direct_masks, masks);
+}
+
+TEST(HumanRemoval, WithGravityOfTfGivesMasksOfRunDataset) {
+  const TemporaryFolder folder;
+  WriteRun(folder);
+  SystemConfig config;
+  config.human_removal.min_cut.penalty_distance = PenaltyDistance::kPlane;
+  const BagOdometry odometry(folder / "person.bag", "odom", kCameraRgbTopic);
+  Masks without;
+  RunDirectly(folder, without, config);
+  Masks direct_masks;
+  RunDirectly(folder, direct_masks, config, &odometry);
+  int num_different = 0;
   for (const auto& [stamp_ns, mask] : direct_masks) {
-    ASSERT_EQ(masks.count(stamp_ns), 1U);
-    EXPECT_GT(cv::countNonZero(mask), 200) << "somebody is in every frame";
-    EXPECT_EQ(cv::countNonZero(mask != masks[stamp_ns]), 0) << FormatStamp(stamp_ns);
+    num_different += cv::countNonZero(mask != without[stamp_ns]) > 0 ? 1 : 0;
   }
+  EXPECT_GT(num_different, kNumFrames / 2) << "of those without gravity";
+  NodeletGraph graph;
+  graph.SetParam("/human_removal/min_cut/penalty_distance", std::string("plane"));
+  graph.SetParam("/human_removal/frames/odom_frame", std::string("/odom"));
+  graph.SetParam("/human_removal/ros/gravity_wait_s", kPatientGraceS);
+  Masks masks;
+  RunThroughGraph(folder, masks, graph);
+  ExpectEqual(direct_masks, masks);
 }
 
 /// The nodelets without BlurFilter's doing, keypoints sent by the test.
@@ -218,6 +267,20 @@ TEST_F(HumanRemovalGraph, MissingAndLateKeypointsStopNobody) {
   EXPECT_TRUE(Process(SyntheticPerson(7)).has_own_keypoints) << "they came before their frame";
   EXPECT_EQ(graph_.status().frames_processed, 7U);
   EXPECT_EQ(graph_.status().people, 1);
+}
+
+TEST_F(HumanRemovalGraph, WithoutTheTransformPeopleAreCutOutAllTheSameAndItIsToldOnce) {
+  graph_.SetParam("/human_removal/frames/odom_frame", std::string("odom_init"));
+  const LogLines log;
+  Start();
+  const auto start = ros::WallTime::now();
+  int index = 0;
+  while (ros::WallTime::now() - start < ros::WallDuration(1.2)) {
+    PublishKeypoints(SyntheticPerson(index));
+    ros::WallDuration(0.05).sleep();
+    EXPECT_EQ(Process(SyntheticPerson(index++)).num_people, 1);
+  }
+  EXPECT_TRUE(log.WaitFor({"odom_init", kCameraFrame, "without knowing where down is"}));
 }
 
 TEST_F(HumanRemovalGraph, BadSkeletonMessagesAreSurvived) {

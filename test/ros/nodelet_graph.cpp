@@ -2,6 +2,7 @@
 
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <boost/make_shared.hpp>
 
@@ -22,7 +23,8 @@ const ros::WallDuration kSlowly(0.002);
 NodeletGraph::NodeletGraph()
     : rgb_(node_.advertise<sensor_msgs::Image>(kCameraRgbTopic, kQueueSize)),
       depth_(node_.advertise<sensor_msgs::Image>(kCameraDepthTopic, kQueueSize)),
-      info_(node_.advertise<sensor_msgs::CameraInfo>(kCameraInfoTopic, kQueueSize)) {}
+      info_(node_.advertise<sensor_msgs::CameraInfo>(kCameraInfoTopic, kQueueSize)),
+      tf_(node_.advertise<tf2_msgs::TFMessage>(kTfTopic, kQueueSize)) {}
 
 bool NodeletGraph::Start() {
   status_subscriber_ =
@@ -38,7 +40,7 @@ bool NodeletGraph::Start() {
     if (!Load("/skeleton_ingest", "posefusion/SkeletonIngest")) return false;
   }
   while (ros::ok() && (rgb_.getNumSubscribers() == 0 || depth_.getNumSubscribers() == 0 ||
-                       info_.getNumSubscribers() == 0)) {
+                       info_.getNumSubscribers() == 0 || tf_.getNumSubscribers() == 0)) {
     ros::WallDuration(kPollS).sleep();
   }
   return true;
@@ -73,6 +75,7 @@ void NodeletGraph::PublishInBagOrder(const std::string& path) {
       const bool is_rgb = message.getTopic() == std::string("/") + kCameraRgbTopic;
       (is_rgb ? rgb_ : depth_).publish(image);
     }
+    if (const auto tf = message.instantiate<tf2_msgs::TFMessage>()) tf_.publish(tf);
     kSlowly.sleep();
   }
 }

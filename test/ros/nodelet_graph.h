@@ -34,6 +34,7 @@ class NodeletGraph {
   void Stop();
 
   void Publish(const RgbdMessages& frame);
+  /// Frames and tf.
   void PublishInBagOrder(const std::string& bag);
 
   Status status() const;
@@ -51,6 +52,7 @@ class NodeletGraph {
   ros::Publisher rgb_;
   ros::Publisher depth_;
   ros::Publisher info_;
+  ros::Publisher tf_;
   ros::Subscriber status_subscriber_;
   mutable std::mutex mutex_;
   Status status_;

@@ -66,7 +66,10 @@ TEST(Parameters, FramesOfHrp4AreAFileOfDifferences) {
   ApplyYaml(node["mapping"], "mapping", config);
   EXPECT_EQ(config.frames.odom_frame, "odom_init");
   EXPECT_EQ(config.frames.base_frame, "BODY");
-  EXPECT_EQ(node.size(), 1U);
+  HumanRemovalNodeletConfig human_removal;
+  ApplyYaml(node["human_removal"], "human_removal", human_removal);
+  EXPECT_EQ(human_removal.frames.odom_frame, config.frames.odom_frame);
+  EXPECT_EQ(node.size(), 2U);
   EXPECT_NO_THROW(LoadSystemConfig({kConfigDir + "/hrp4.yaml"}));
 }
 
@@ -89,7 +92,8 @@ TEST(Parameters, ShippedBlurFilterFileHoldsEveryKeyWithItsDefault) {
 }
 
 TEST(Parameters, ShippedHumanRemovalFileHoldsEveryKeyWithItsDefault) {
-  const YAML::Node node = LoadYamlFile(kConfigDir + "/human_removal.yaml");
+  YAML::Node node = LoadYamlFile(kConfigDir + "/human_removal.yaml");
+  node["frames"] = LoadYamlFile(kConfigDir + "/frames.yaml")["frames"];
   HumanRemovalNodeletConfig config;
   ApplyYaml(node, "human_removal", config);
   EXPECT_EQ(Text(config), Text(HumanRemovalNodeletConfig()));

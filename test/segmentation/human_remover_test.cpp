@@ -169,5 +169,23 @@ TEST(HumanRemover, NamesTheKeyThatIsOutOfRange) {
   }
 }
 
+TEST(HumanRemover, CutsLateKeypointsWithTheGravityOfTheirFrame) {
+  HumanRemover remover{HumanRemovalConfig()};
+  const Eigen::Vector3f then = Eigen::Vector3f::UnitX();
+  remover.Process(MovingPerson().FrameAt(0), {}, then);
+  Skeletons late = MovingPerson().SkeletonsAt(0);
+  for (const CocoJoint joint : {kRightKnee, kLeftKnee, kRightAnkle, kLeftAnkle}) {
+    late.people[0][joint] = {};
+  }
+  remover.Process(MovingPerson().FrameAt(1), {late}, Eigen::Vector3f(-then));
+  ASSERT_EQ(remover.seeds().size(), 1U);
+  const PersonSeeds expected =
+      LiftPerson(late.people[0], MovingPerson().FrameAt(0), HumanRemovalConfig().seeds, then);
+  const std::vector<UnseenPart>& parts = remover.seeds()[0].unseen_parts;
+  ASSERT_FALSE(parts.empty());
+  ASSERT_EQ(parts.size(), expected.unseen_parts.size());
+  EXPECT_EQ(parts.back().p_camera, expected.unseen_parts.back().p_camera);
+}
+
 }  // namespace
 }  // namespace posefusion

@@ -35,8 +35,24 @@ class MinCutTest : public testing::TestWithParam<MinCutBackend> {
     }
   }
 
-  cv::Mat Solve() const {
+  /// A wall with one seed in its middle.
+  void PrepareWall() {
+    const CameraModel camera = SyntheticScene().camera;
+    cells_.Build(cv::Mat(camera.height, camera.width, CV_32FC1, cv::Scalar(2)), camera);
+    problem_ = CutProblem();
+    problem_.radius_m = MinCutConfig().radius_m;
+    problem_.source_weight = 2;  // a single seed against all edges around it
+    problem_.cells = &cells_;
+    problem_.region = cv::Rect({0, 0}, cells_.size());
+    problem_.states.Resize(cells_.width(), cells_.height());
+    problem_.states.Fill(CellState::kFree);
+    problem_.states.at(80, 60) = CellState::kPerson;
+    problem_.seeds.push_back({cells_.PointAt(80, 60)});
+  }
+
+  cv::Mat Solve(PenaltyDistance distance = PenaltyDistance::kSpace) const {
     MinCutConfig config;
+    config.penalty_distance = distance;
     config.backend = GetParam();
     cv::Mat person;
     MakeMinCut(config)->Solve(problem_, person);
@@ -112,6 +128,28 @@ TEST_P(MinCutTest, EndsAtAnEdgeOfColour) {
   const cv::Mat person = Solve();
   EXPECT_EQ(person.at<std::uint8_t>(60, kEdge - 1), 255);
   EXPECT_EQ(person.at<std::uint8_t>(60, kEdge + 1), 0);
+}
+
+/// In the horizontal plane everything above and below a seed is near it.
+TEST_P(MinCutTest, TakesThePenaltyInTheHorizontalPlaneWhereGravityIsKnown) {
+  PrepareWall();
+  const cv::Point below(80, 110);
+  const cv::Point right(130, 60);
+  const auto is_person = [&](const cv::Mat& person, const cv::Point& cell) {
+    return person.at<std::uint8_t>(cell) != 0;
+  };
+  problem_.gravity = Eigen::Vector3f::UnitY();
+  const cv::Mat level = Solve(PenaltyDistance::kPlane);
+  EXPECT_TRUE(is_person(level, below) && !is_person(level, right));
+  problem_.gravity = Eigen::Vector3f::UnitX();
+  const cv::Mat rolled = Solve(PenaltyDistance::kPlane);
+  EXPECT_TRUE(is_person(rolled, right) && !is_person(rolled, below));
+  problem_.gravity = Eigen::Vector3f::UnitZ();
+  const cv::Mat from_above = Solve(PenaltyDistance::kPlane);
+  EXPECT_FALSE(is_person(from_above, right) || is_person(from_above, below));
+  problem_.gravity.reset();
+  EXPECT_EQ(cv::norm(from_above, Solve(PenaltyDistance::kPlane), cv::NORM_INF), 0)
+      << "the image plane";
 }
 
 TEST_P(MinCutTest, FindsNobodyWithoutVertices) {

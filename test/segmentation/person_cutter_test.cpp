@@ -62,6 +62,34 @@ TEST_P(PersonCutterTest, CutsAPersonAtTheBorderOfTheImage) {
   EXPECT_GT(counts.Precision(), 0.95);
 }
 
+/// Legs without joints, in a picture that shows them beside the body.
+TEST_P(PersonCutterTest, CutsLegsWithoutJointsAlongGravity) {
+  SyntheticScene scene;
+  scene.person_m = 3.0;
+  scene.wall_m = 4.5;
+  Skeleton joints = scene.Joints();
+  for (const CocoJoint joint : {kRightKnee, kLeftKnee, kRightAnkle, kLeftAnkle}) joints[joint] = {};
+  Skeletons skeletons;
+  skeletons.people = {Rolled(joints, scene.camera)};
+  const RgbdFrame frame = Rolled(scene.Render());
+  cv::Mat truth;
+  cv::rotate(scene.TrueMask(), truth, cv::ROTATE_90_COUNTERCLOCKWISE);
+  HumanRemovalConfig config = Config();
+  config.min_cut.penalty_distance = PenaltyDistance::kPlane;
+  PersonCutter cutter(config);
+  CutRequest request;
+  request.skeletons = &skeletons;
+  const auto recall = [&] {
+    cv::Mat mask;
+    cutter.Cut(frame, request, mask);
+    return ScoreMask(truth, mask, frame.depth_m, nullptr, {}).counts.Recall();
+  };
+  const double without = recall();
+  request.gravity = Eigen::Vector3f::UnitX();
+  EXPECT_GT(recall(), GoodRecall());
+  EXPECT_LT(without, 0.85);
+}
+
 TEST_P(PersonCutterTest, CutsNothingOutOfAWall) {
   SyntheticScene scene;
   scene.wall_m = scene.person_m;

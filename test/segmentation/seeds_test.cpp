@@ -150,6 +150,37 @@ TEST(LiftPerson, LetsLimbsLeaveTheImageAtItsBorderOnly) {
   EXPECT_TRUE(leaves(0.9));
 }
 
+/// Joints down to the hips.
+Skeleton WithoutLegs(const SyntheticScene& scene) {
+  Skeleton joints = scene.Joints();
+  for (const CocoJoint joint : {kRightKnee, kLeftKnee, kRightAnkle, kLeftAnkle}) joints[joint] = {};
+  return joints;
+}
+
+bool MayBeAt(const PersonSeeds& person, const Eigen::Vector3f& p_camera) {
+  return std::any_of(
+      person.unseen_parts.begin(), person.unseen_parts.end(),
+      [&](const UnseenPart& part) { return (part.p_camera - p_camera).norm() < part.radius_m; });
+}
+
+TEST(LiftPerson, LooksForMissingLegsDownTheImageWhereGravityIsUnknown) {
+  const SyntheticScene scene;
+  const PersonSeeds person = LiftPerson(WithoutLegs(scene), scene.Render(), SeedConfig());
+  EXPECT_TRUE(MayBeAt(person, {0, 1, 2}));
+  EXPECT_FALSE(MayBeAt(person, {1, 0, 2}));
+}
+
+TEST(LiftPerson, LooksForMissingLegsAlongGravity) {
+  const SyntheticScene scene;
+  const Skeleton joints = Rolled(WithoutLegs(scene), scene.camera);
+  const Eigen::Vector3f gravity = Eigen::Vector3f::UnitX();
+  const PersonSeeds person = LiftPerson(joints, Rolled(scene.Render()), SeedConfig(), gravity);
+  ASSERT_TRUE(person.found[kRightHip]);
+  EXPECT_TRUE(MayBeAt(person, {0.7F, 0, 2})) << "knees";
+  EXPECT_TRUE(MayBeAt(person, {1.08F, 0, 2})) << "ankles";
+  EXPECT_FALSE(MayBeAt(person, {0, 0.7F, 2}));
+}
+
 TEST(LiftPerson, GivesNothingWithoutDepth) {
   const SyntheticScene scene;
   RgbdFrame frame = scene.Render();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <opencv2/core.hpp>
 
 #include "posefusion/image/rgbd_frame.h"
 #include "posefusion/segmentation/pixel_rays.h"
@@ -76,6 +77,25 @@ struct SyntheticScene {
     return s;
   }
 };
+
+/// What the camera would see if it were rolled clockwise by 90 degrees: gravity points to the
+/// right. For cameras without distortion and for images without stamps.
+inline RgbdFrame Rolled(const RgbdFrame& level) {
+  RgbdFrame frame = level;
+  cv::rotate(level.rgb, frame.rgb, cv::ROTATE_90_COUNTERCLOCKWISE);
+  cv::rotate(level.depth_m, frame.depth_m, cv::ROTATE_90_COUNTERCLOCKWISE);
+  const CameraModel& c = level.camera;
+  frame.camera = {c.height, c.width, c.fy, c.fx, c.cy, c.width - 1 - c.cx, {}};
+  return frame;
+}
+inline Skeleton Rolled(const Skeleton& level, const CameraModel& level_camera) {
+  Skeleton rolled = level;
+  for (std::size_t i = 0; i < level.size(); ++i) {
+    if (!(level[i].p > 0)) continue;
+    rolled[i] = {level[i].v, static_cast<float>(level_camera.width - 1) - level[i].u, level[i].p};
+  }
+  return rolled;
+}
 
 /// A camera with the lens of a Kinect.
 inline CameraModel DistortedCamera() {

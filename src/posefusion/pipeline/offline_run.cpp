@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include "posefusion/common/gravity.h"
 #include "posefusion/pipeline/slam.h"
 
 namespace posefusion {
@@ -36,7 +37,10 @@ class Runner {
       Record(frame.stamp_ns, FrameState::kDroppedBlur, clock_.times());
       return;
     }
-    const FrameResult result = slam_.ProcessFrame(frame, FindPeople(frame), HintsFor(frame));
+    FrameHints hints;
+    if (odometry_ != nullptr) hints.T_odom_camera = odometry_->PoseAt(frame.stamp_ns);
+    const PeopleInFrame people = FindPeople(frame, hints);
+    const FrameResult result = slam_.ProcessFrame(frame, people, hints);
     std::vector<StageTime> times = clock_.times();
     times.insert(times.end(), result.stage_times.begin(), result.stage_times.end());
     if (result.relocalised) ++run_.num_relocalisations;
@@ -61,20 +65,16 @@ class Runner {
     return !blur_filter_.Judge(frame.rgb, frame.stamp_ns).keep;
   }
 
-  PeopleInFrame FindPeople(const RgbdFrame& frame) {
+  PeopleInFrame FindPeople(const RgbdFrame& frame, const FrameHints& hints) {
     if (!human_remover_) return {};
     const auto scope = clock_.Measure("people");
-    const HumanCut cut = human_remover_->Process(frame, waiting_);
+    std::optional<Eigen::Vector3f> gravity;
+    if (hints.T_odom_camera) gravity = GravityInCamera(*hints.T_odom_camera);
+    const HumanCut cut = human_remover_->Process(frame, waiting_, gravity);
     waiting_.clear();
     if (cut.num_people > 0) ++run_.num_frames_with_people;
     if (hooks_.on_mask) hooks_.on_mask(frame.stamp_ns, cut.mask);
     return {cut.mask, frame.depth_m};
-  }
-
-  FrameHints HintsFor(const RgbdFrame& frame) const {
-    FrameHints hints;
-    if (odometry_ != nullptr) hints.T_odom_camera = odometry_->PoseAt(frame.stamp_ns);
-    return hints;
   }
 
   void Record(StampNs stamp_ns, FrameState state, const std::vector<StageTime>& times) {

@@ -7,8 +7,11 @@ namespace posefusion {
 namespace {
 
 /// The nodelets' own groups, which may stand in the same file.
-constexpr std::pair<const char*, const char*> kNodeletGroups[] = {
-    {"blur_filter", "ros"}, {"human_removal", "ros"}, {"mapping", "ros"}, {"mapping", "frames"}};
+constexpr std::pair<const char*, const char*> kNodeletGroups[] = {{"blur_filter", "ros"},
+                                                                  {"human_removal", "ros"},
+                                                                  {"human_removal", "frames"},
+                                                                  {"mapping", "ros"},
+                                                                  {"mapping", "frames"}};
 
 }  // namespace
 

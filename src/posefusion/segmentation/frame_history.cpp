@@ -4,7 +4,8 @@
 
 namespace posefusion {
 
-PastFrame& FrameHistory::Push(const RgbdFrame& frame) {
+PastFrame& FrameHistory::Push(const RgbdFrame& frame,
+                              const std::optional<Eigen::Vector3f>& gravity) {
   std::unique_ptr<PastFrame> entry;
   while (!frames_.empty() &&
          SecondsBetween(frames_.front()->frame.stamp_ns, frame.stamp_ns) > duration_s_) {
@@ -13,6 +14,7 @@ PastFrame& FrameHistory::Push(const RgbdFrame& frame) {
   }
   if (!entry) entry = std::make_unique<PastFrame>(cells_);
   entry->frame = frame;
+  entry->gravity = gravity;
   frames_.push_back(std::move(entry));
   return *frames_.back();
 }

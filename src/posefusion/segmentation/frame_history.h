@@ -4,6 +4,7 @@
 #include <deque>
 #include <memory>
 #include <opencv2/core/mat.hpp>
+#include <optional>
 
 #include "posefusion/image/rgbd_frame.h"
 #include "posefusion/segmentation/background_surfaces.h"
@@ -17,7 +18,8 @@ namespace posefusion {
 struct PastFrame {
   explicit PastFrame(const CellGridConfig& config) : cells(config) {}
 
-  RgbdFrame frame;  ///< images shared
+  RgbdFrame frame;                         ///< images shared
+  std::optional<Eigen::Vector3f> gravity;  ///< unit vector downwards, camera frame
   CellGrid cells;
   cv::Mat grey;    ///< CV_8UC1, a pixel per cell
   cv::Mat motion;  ///< from the frame before (MotionField); empty for the first frame
@@ -34,7 +36,7 @@ class FrameHistory {
       : cells_(cells), duration_s_(duration_s) {}
 
   /// Appends a frame; those older than the duration are forgotten.
-  PastFrame& Push(const RgbdFrame& frame);
+  PastFrame& Push(const RgbdFrame& frame, const std::optional<Eigen::Vector3f>& gravity);
   void Clear() { frames_.clear(); }
 
   std::size_t size() const { return frames_.size(); }

@@ -33,7 +33,7 @@ struct HumanRemover::State {
   double Time(StampNs stamp_ns) const { return SecondsBetween(origin_ns, stamp_ns); }
 
   void Check(const RgbdFrame& frame) const;
-  void Append(const RgbdFrame& frame);
+  void Append(const RgbdFrame& frame, const std::optional<Eigen::Vector3f>& gravity);
   const Skeletons* Newest(const std::vector<Skeletons>& arrived);
   void ForgetWhatIsTooOld(StampNs now_ns);
   void CarryInto(std::size_t index);
@@ -53,7 +53,6 @@ struct HumanRemover::State {
   FrameHistory history;
   PersonTracks tracks;
   StampNs origin_ns = 0;
-  std::optional<Eigen::Vector3f> gravity;
   std::optional<StampNs> last_stamp_ns;
   std::optional<StampNs> newest_keypoints_ns;
   KeypointCounts counts;
@@ -70,10 +69,11 @@ void HumanRemover::State::Check(const RgbdFrame& frame) const {
   CheckFollows(frame.stamp_ns, last_stamp_ns);
 }
 
-void HumanRemover::State::Append(const RgbdFrame& frame) {
+void HumanRemover::State::Append(const RgbdFrame& frame,
+                                 const std::optional<Eigen::Vector3f>& gravity) {
   if (!last_stamp_ns) origin_ns = frame.stamp_ns;
   last_stamp_ns = frame.stamp_ns;
-  PastFrame& now = history.Push(frame);
+  PastFrame& now = history.Push(frame, gravity);
   now.cells.Build(frame.depth_m, frame.camera);
   ReduceToCells(frame.rgb, now.cells.size(), now.grey);
   now.motion.release();
@@ -126,7 +126,7 @@ void HumanRemover::State::CutSkeletons(PastFrame& entry, const Skeletons& skelet
   request.skeletons = &skeletons;
   request.known_people = known_people;
   request.planes = &entry.planes;
-  request.gravity = gravity;
+  request.gravity = entry.gravity;
   cutter->CutCells(entry.frame, request);
   seeds = cutter->people();
   seen.cuts.assign(skeletons.people.size(), PersonCut());
@@ -184,7 +184,7 @@ CellSeeds HumanRemover::State::SeedsOf(const CellPeople& people, CellPerson pers
 /// People whom keypoints of this very frame do not show are cut by what was carried of them.
 void HumanRemover::State::CutCarried(PastFrame& entry, double time_s, bool by_keypoints) {
   CutRequest request;
-  request.gravity = gravity;
+  request.gravity = entry.gravity;
   request.known_people = known_people;
   request.planes = &entry.planes;
   carried.clear();
@@ -251,8 +251,7 @@ HumanCut HumanRemover::Process(const RgbdFrame& frame, const std::vector<Skeleto
                                const std::optional<Eigen::Vector3f>& gravity) {
   State& s = *state_;
   s.Check(frame);
-  s.gravity = gravity;
-  s.Append(frame);
+  s.Append(frame, gravity);
   const std::size_t last = s.history.size() - 1;
   const Skeletons* newest = s.Newest(arrived);
   HumanCut result;

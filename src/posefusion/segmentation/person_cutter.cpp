@@ -127,7 +127,7 @@ struct PersonCutter::Parts {
     };
     kept.seeds.erase(std::remove_if(kept.seeds.begin(), kept.seeds.end(), is_on_background),
                      kept.seeds.end());
-    const PersonRegion region = RegionOf(kept, cells, camera, config.region);
+    const PersonRegion region = RegionOf(kept, cells, camera, config.region, problem.gravity);
     if (region.cells.empty()) return false;
     if (kept.seeds.size() < kMinSeeds && person.num_certain_joints == 0) return false;
     OpenRegion(region);
@@ -243,7 +243,7 @@ void PersonCutter::CutCells(const RgbdFrame& frame, const CutRequest& request) {
   p.carried.clear();
   if (request.skeletons != nullptr) {
     for (const Skeleton& skeleton : request.skeletons->people) {
-      p.people.push_back(LiftPerson(skeleton, frame, p.config.seeds));
+      p.people.push_back(LiftPerson(skeleton, frame, p.config.seeds, request.gravity));
     }
   }
   for (const CellSeeds& seeds : request.cell_seeds) p.carried.push_back(p.SeedsOf(seeds));

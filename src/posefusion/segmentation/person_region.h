@@ -1,6 +1,7 @@
 #pragma once
 
 #include <opencv2/core/types.hpp>
+#include <optional>
 
 #include "posefusion/segmentation/cell_grid.h"
 #include "posefusion/segmentation/seeds.h"
@@ -29,8 +30,10 @@ struct PersonRegion {
   float max_depth_m = 0;
 };
 
-/// Around the seeds of a person; empty without seeds.
+/// Around the seeds of a person; empty without seeds. `gravity`: unit vector downwards in the
+/// camera frame, which tells where missing parts are; down the image without it.
 PersonRegion RegionOf(const PersonSeeds& person, const CellGrid& cells, const CameraModel& camera,
-                      const PersonRegionConfig& config);
+                      const PersonRegionConfig& config,
+                      const std::optional<Eigen::Vector3f>& gravity = std::nullopt);
 
 }  // namespace posefusion

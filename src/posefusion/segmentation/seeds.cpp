@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <tuple>
 
@@ -41,10 +40,12 @@ bool IsTrunk(std::size_t joint) {
 /// Lifts one person.
 class Lifting {
  public:
-  Lifting(const Skeleton& skeleton, const RgbdFrame& frame, const SeedConfig& config)
+  Lifting(const Skeleton& skeleton, const RgbdFrame& frame, const SeedConfig& config,
+          const Eigen::Vector3f& down)
       : skeleton_(skeleton),
         camera_(frame.camera),
         config_(config),
+        down_(down),
         layers_(frame.depth_m, static_cast<float>(config.layer_gap_m),
                 static_cast<float>(config.min_depth_m), static_cast<float>(config.max_depth_m)) {}
 
@@ -320,24 +321,29 @@ class Lifting {
     GuardLegs();
   }
 
-  /// Places down the image from the lowest joint, where legs are missing.
+  /// Places below the lowest joint, where legs are missing.
   void GuardLegs() {
     if (Has(kRightAnkle) || Has(kLeftAnkle)) return;
     float length_m = kTrunkLength + kLegLength;
     if (Has(kRightHip) || Has(kLeftHip)) length_m = kLegLength;
     if (Has(kRightKnee) || Has(kLeftKnee)) length_m = kLegLength / 2;
-    Eigen::Vector3f lowest(0, -std::numeric_limits<float>::infinity(), 0);
+    const Seed* lowest = nullptr;
     for (const auto& joint : joints_) {
-      if (joint && joint->p_camera.y() > lowest.y()) lowest = joint->p_camera;
+      if (!joint) continue;
+      if (lowest == nullptr || joint->p_camera.dot(down_) > lowest->p_camera.dot(down_)) {
+        lowest = &*joint;
+      }
     }
-    for (float y = 0; y <= length_m; y += kGuardStep) {
-      result_.unseen_parts.push_back({{lowest.x(), lowest.y() + y, lowest.z()}, kTrunkHalfWidth});
+    if (lowest == nullptr) return;
+    for (float below_m = 0; below_m <= length_m; below_m += kGuardStep) {
+      result_.unseen_parts.push_back({lowest->p_camera + below_m * down_, kTrunkHalfWidth});
     }
   }
 
   const Skeleton& skeleton_;
   const CameraModel& camera_;
   const SeedConfig& config_;
+  const Eigen::Vector3f down_;  ///< unit vector
   DepthLayers layers_;
   std::array<std::vector<DepthLayer>, kNumCocoJoints> joint_layers_;
   std::array<std::optional<Seed>, kNumCocoJoints> joints_;
@@ -346,8 +352,9 @@ class Lifting {
 
 }  // namespace
 
-PersonSeeds LiftPerson(const Skeleton& skeleton, const RgbdFrame& frame, const SeedConfig& config) {
-  return Lifting(skeleton, frame, config).Run();
+PersonSeeds LiftPerson(const Skeleton& skeleton, const RgbdFrame& frame, const SeedConfig& config,
+                       const std::optional<Eigen::Vector3f>& gravity) {
+  return Lifting(skeleton, frame, config, gravity.value_or(Eigen::Vector3f::UnitY())).Run();
 }
 
 }  // namespace posefusion

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <opencv2/core/types.hpp>
+#include <optional>
 #include <vector>
 
 #include "posefusion/image/rgbd_frame.h"
@@ -72,7 +73,9 @@ struct PersonSeeds {
 /// Depth of a joint is the median of one surface of those that its neighbourhood shows: of those
 /// that agree with the depth of the body, the nearest. Joints without depth, on something else
 /// (a wall behind, a table before the person) or too far from their neighbours in the skeleton are
-/// dropped. No seeds come back when nothing can be lifted. Thread-safe.
-PersonSeeds LiftPerson(const Skeleton& skeleton, const RgbdFrame& frame, const SeedConfig& config);
+/// dropped. No seeds come back when nothing can be lifted. `gravity`: unit vector downwards in the
+/// camera frame, where legs that were not found are; down the image without it. Thread-safe.
+PersonSeeds LiftPerson(const Skeleton& skeleton, const RgbdFrame& frame, const SeedConfig& config,
+                       const std::optional<Eigen::Vector3f>& gravity = std::nullopt);
 
 }  // namespace posefusion

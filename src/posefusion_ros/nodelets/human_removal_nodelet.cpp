@@ -8,6 +8,7 @@
 
 #include "posefusion/skeleton/clock_check.h"
 #include "posefusion_ros/conversions.h"
+#include "posefusion_ros/gravity_finder.h"
 #include "posefusion_ros/nodelets/checked_nodelet.h"
 #include "posefusion_ros/nodelets/diagnostics.h"
 #include "posefusion_ros/nodelets/human_removal_publishers.h"
@@ -17,6 +18,7 @@
 #include "posefusion_ros/parameter_reader.h"
 #include "posefusion_ros/reconfigure_server.h"
 #include "posefusion_ros/skeleton_conversions.h"
+#include "posefusion_ros/tf_feed.h"
 #include "posefusion_ros/topic_names.h"
 #include "posefusion_ros/trouble_log.h"
 
@@ -34,6 +36,7 @@ class HumanRemovalNodelet : public CheckedNodelet {
                            node.resolveName(topics.info)};
     skeletons_topic_ = node.resolveName(kSkeletonsTopic);
     clock_check_.emplace(skeletons_topic_);
+    StartGravity(node);
     // What may throw comes before topics: the manager cannot take them back from half a nodelet.
     worker_ = std::make_unique<HumanRemovalWorker>(config_, ReadCameraInfoConfig(node), names,
                                                    MakeCallbacks());
@@ -53,11 +56,23 @@ class HumanRemovalNodelet : public CheckedNodelet {
                                              << ", keypoints from " << skeletons_topic_);
   }
 
+  /// The odometry frame stands upright; without one nobody needs tf.
+  void StartGravity(const ros::NodeHandle& node) {
+    tf_tree_.emplace(config_.ros.reset_after_jump_back_s);
+    const std::string& odom_frame = config_.frames.odom_frame;
+    gravity_.emplace(odom_frame, *tf_tree_,
+                     [this](const std::string& text) { NODELET_ERROR_STREAM(text); });
+    if (!odom_frame.empty()) tf_feed_.emplace(node, *tf_tree_);
+  }
+
   HumanRemovalWorker::Callbacks MakeCallbacks() {
     HumanRemovalWorker::Callbacks callbacks;
     callbacks.frame = [this](const RemovalResult& result) {
       publishers_->Publish(result, CurrentPace());
       Note(result);
+    };
+    callbacks.gravity = [this](const std_msgs::Header& rgb, double timeout_s) {
+      return gravity_->Find(ToStampNs(rgb.stamp), rgb.frame_id, timeout_s, SteadyNowS());
     };
     callbacks.log_error = [this](const std::string& text) { NODELET_ERROR_STREAM(text); };
     callbacks.log_info = [this](const std::string& text) { NODELET_WARN_STREAM(text); };
@@ -169,6 +184,9 @@ class HumanRemovalNodelet : public CheckedNodelet {
   std::size_t num_dropped_ = 0;
   int num_people_ = 0;
   double mask_age_s_ = -1;  ///< of the newest frame; -1 without keypoints
+  std::optional<TfTree> tf_tree_;
+  std::optional<TfFeed> tf_feed_;         ///< empty without odometry
+  std::optional<GravityFinder> gravity_;  ///< of the worker's thread
   std::unique_ptr<HumanRemovalPublishers> publishers_;
   std::unique_ptr<HumanRemovalWorker> worker_;  // ends before what it publishes with
   ros::Subscriber skeletons_;

@@ -1,5 +1,6 @@
 #include "posefusion_ros/nodelets/human_removal_worker.h"
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -92,7 +93,8 @@ void HumanRemovalWorker::Work(const Item& item) {
     if (remover_) {
       frame = ToRgbdFrame(item.messages, camera_info_.images_are_rectified, topics_);
       RestartIfTimeWentBack(frame.stamp_ns);
-      cut = remover_->Process(frame, TakeKeypoints(frame, item));
+      const std::vector<Skeletons> keypoints = TakeKeypoints(frame, item);
+      cut = remover_->Process(frame, keypoints, FindGravity(item));
       result.frame = &frame;
       result.cut = &cut;
       result.remover = &*remover_;
@@ -125,6 +127,12 @@ std::vector<Skeletons> HumanRemovalWorker::TakeKeypoints(const RgbdFrame& frame,
     DropUnusable(skeletons.people, frame.camera.width, frame.camera.height);
   }
   return arrived;
+}
+
+std::optional<Eigen::Vector3f> HumanRemovalWorker::FindGravity(const Item& item) const {
+  const std::chrono::duration<double> waited = Clock::now() - item.arrived;
+  const double left_s = std::max(0.0, config_.ros.gravity_wait_s - waited.count());
+  return callbacks_.gravity(item.messages.rgb->header, left_s);
 }
 
 /// How long a frame is held back for its keypoints, counted from when it came.

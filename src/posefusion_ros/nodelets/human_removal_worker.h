@@ -33,6 +33,10 @@ class HumanRemovalWorker {
  public:
   struct Callbacks {
     std::function<void(const RemovalResult&)> frame;  ///< on the worker's thread
+    /// Unit vector downwards in the camera frame when that image was taken, where it is known
+    /// within the time given; on the worker's thread.
+    std::function<std::optional<Eigen::Vector3f>(const std_msgs::Header& rgb, double timeout_s)>
+        gravity;
     TroubleLog::Sink log_error;
     TroubleLog::Sink log_info;
   };
@@ -64,6 +68,7 @@ class HumanRemovalWorker {
   void Work(const Item& item);
   void RestartIfTimeWentBack(StampNs stamp_ns);
   std::vector<Skeletons> TakeKeypoints(const RgbdFrame& frame, const Item& item);
+  std::optional<Eigen::Vector3f> FindGravity(const Item& item) const;
   KeypointInbox::Clock::duration WaitTime() const;
 
   HumanRemovalNodeletConfig config_;  ///< of the worker's thread
