@@ -148,6 +148,12 @@ void OpenOwnOdometry(const RunInputNames& names, RunInputs& inputs) {
   }
 }
 
+/// Tracking uses its motion, human removal its upward direction.
+bool UsesOdometry(const SystemConfig& config, const RunInputs& inputs) {
+  const bool removes_people = config.human_removal.enabled && inputs.keypoints != nullptr;
+  return config.mapping.tracking.prior.enabled || removes_people;
+}
+
 void OpenOdometry(const RunInputNames& names, bool uses_odometry, RunInputs& inputs) {
   inputs.odometry_name = kNone;
   if (names.odometry == kNone) return;
@@ -157,7 +163,8 @@ void OpenOdometry(const RunInputNames& names, bool uses_odometry, RunInputs& inp
   }
   if (!uses_odometry) {
     throw std::invalid_argument("--odometry " + names.odometry +
-                                ": mapping.tracking.prior.enabled is false");
+                                ": nobody would use it: mapping.tracking.prior.enabled is false, "
+                                "and no people are removed");
   }
   const auto frame = InBag(names.odometry, kTfPrefix, names.source);
   if (frame) {
@@ -176,7 +183,7 @@ RunInputs OpenRunInputs(const RunInputNames& names, const SystemConfig& config) 
   inputs.frames = std::move(source.frames);
   inputs.simulation = std::move(source.simulation);
   inputs.keypoints = OpenKeypoints(names, std::move(source.keypoints));
-  OpenOdometry(names, config.mapping.tracking.prior.enabled, inputs);
+  OpenOdometry(names, UsesOdometry(config, inputs), inputs);
   return inputs;
 }
 

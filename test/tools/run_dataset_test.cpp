@@ -71,6 +71,20 @@ TEST_F(RunDataset, WritesTrajectoriesMapAndReport) {
   }
 }
 
+TEST_F(RunDataset, TakesOdometryForPeopleWhereTrackingHasNoUseForIt) {
+  WriteTrajectory({{1'000'000'000, Eigen::Isometry3d::Identity()}},
+                  folder_ / "data/odometry_camera.txt");
+  const auto odometry = [&](const std::string& out) {
+    return nlohmann::json::parse(
+        ReadWholeFile((folder_ / out) + "/report.json"))["config"]["odometry"];
+  };
+  ASSERT_EQ(RunInto("nobody", "--preset pf"), 0);
+  EXPECT_EQ(odometry("nobody"), "none");
+  WriteKeypoints("data/keypoints");
+  ASSERT_EQ(RunInto("people", "--preset pf"), 0);
+  EXPECT_EQ(odometry("people"), folder_ / "data/odometry_camera.txt");
+}
+
 TEST_F(RunDataset, TakesOdometryFromFileOrFolderAndSaysWhatBecameOfIt) {
   Trajectory odometry;
   for (int n = 0; n < kFrames; ++n) {

@@ -69,7 +69,8 @@ class Runner {
     if (!human_remover_) return {};
     const auto scope = clock_.Measure("people");
     std::optional<Eigen::Vector3f> gravity;
-    if (hints.T_odom_camera) gravity = GravityInCamera(*hints.T_odom_camera);
+    if (hints.T_odom_camera && hints.T_odom_camera->matrix().allFinite())
+      gravity = GravityInCamera(*hints.T_odom_camera);
     const HumanCut cut = human_remover_->Process(frame, waiting_, gravity);
     waiting_.clear();
     if (cut.num_people > 0) ++run_.num_frames_with_people;
