@@ -75,6 +75,7 @@ TEST_P(PersonCutterTest, CutsLegsWithoutJointsAlongGravity) {
   cv::Mat truth;
   cv::rotate(scene.TrueMask(), truth, cv::ROTATE_90_COUNTERCLOCKWISE);
   HumanRemovalConfig config = Config();
+  config.min_cut.data_term = DataTerm::kPenalty;
   config.min_cut.penalty_distance = PenaltyDistance::kPlane;
   PersonCutter cutter(config);
   CutRequest request;

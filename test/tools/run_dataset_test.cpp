@@ -267,7 +267,7 @@ TEST_F(RunDataset, CtrlCSavesWhatThereIs) {
   }
   rgb_list.close();
   depth_list.close();
-  const std::string command = "timeout -s INT 3 " + std::string(POSEFUSION_RUN_DATASET) + " " +
+  const std::string command = "timeout -s INT 5 " + std::string(POSEFUSION_RUN_DATASET) + " " +
                               (folder_ / "data") + " --out " + (folder_ / "out") + " > " +
                               (folder_ / "log") + " 2>&1";
   constexpr int kTimedOut = 124;

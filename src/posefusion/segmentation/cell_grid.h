@@ -46,6 +46,13 @@ class CellGrid {
     return cv::Point(static_cast<int>(x), static_cast<int>(y));
   }
 
+  /// Where a point in the camera frame with z > 0 appears, in cells; the centre of cell (x, y) is
+  /// (x, y).
+  Eigen::Vector2d PlaceOf(const Eigen::Vector3d& p_camera) const {
+    const Eigen::Vector2d pixel = DistortedPixelOf(camera_, p_camera);
+    return (pixel.array() + 0.5) / size_px_ - 0.5;
+  }
+
   /// Metres, 0 = none.
   float DepthAt(int x, int y) const { return depth_m_.at(x, y); }
 

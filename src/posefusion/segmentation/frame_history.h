@@ -11,6 +11,7 @@
 #include "posefusion/segmentation/carried_people.h"
 #include "posefusion/segmentation/cell_grid.h"
 #include "posefusion/segmentation/near_people.h"
+#include "posefusion/segmentation/remembered_people.h"
 
 namespace posefusion {
 
@@ -23,7 +24,9 @@ struct PastFrame {
   CellGrid cells;
   cv::Mat grey;    ///< CV_8UC1, a pixel per cell
   cv::Mat motion;  ///< from the frame before (MotionField); empty for the first frame
+  std::optional<Eigen::Isometry3d> T_before_now;  ///< of the camera (CameraMotion)
   CellPeople people;
+  RememberedPeople remembered;
   std::vector<Plane> planes;  ///< large background surfaces
   NearPeople near_people;
 };

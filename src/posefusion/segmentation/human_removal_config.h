@@ -6,8 +6,10 @@
 #include "posefusion/segmentation/mask_refinement.h"
 #include "posefusion/segmentation/min_cut.h"
 #include "posefusion/segmentation/near_people.h"
+#include "posefusion/segmentation/people_colours.h"
 #include "posefusion/segmentation/person_region.h"
 #include "posefusion/segmentation/person_tracks.h"
+#include "posefusion/segmentation/remembered_people.h"
 #include "posefusion/segmentation/seeds.h"
 
 namespace posefusion {
@@ -33,6 +35,8 @@ struct HumanRemovalConfig {
   MaskRefinementConfig mask;
   CarryConfig carry;
   PersonHoldConfig hold;
+  RememberedPeopleConfig remembered_people;
+  PeopleColoursConfig people_colours;
   NearPeopleConfig near_people;
 };
 
@@ -50,6 +54,8 @@ void Describe(V& v, HumanRemovalConfig& c) {
   v.Group("mask", c.mask);
   v.Group("carry", c.carry);
   v.Group("hold", c.hold);
+  v.Group("remembered_people", c.remembered_people);
+  v.Group("people_colours", c.people_colours);
   v.Group("near_people", c.near_people);
 }
 

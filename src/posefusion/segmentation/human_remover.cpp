@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "posefusion/config/config.h"
+#include "posefusion/segmentation/camera_motion.h"
 #include "posefusion/segmentation/frame_history.h"
 #include "posefusion/segmentation/motion_field.h"
 #include "posefusion/segmentation/people_memory.h"
@@ -14,6 +15,9 @@
 namespace posefusion {
 
 namespace {
+
+/// Cells this close to a seed, metres, have the colours of people for certain.
+constexpr double kOnSeedsM = 0.03;
 
 /// Share of the joints of the trunk that were found.
 float TrunkShare(const PersonSeeds& person) {
@@ -27,7 +31,11 @@ float TrunkShare(const PersonSeeds& person) {
 
 struct HumanRemover::State {
   explicit State(const HumanRemovalConfig& given)
-      : config(given), cutter(given), history(given.cells, given.history_s), tracks(given.hold) {}
+      : config(given),
+        cutter(given),
+        people_colours(given.people_colours),
+        history(given.cells, given.history_s),
+        tracks(given.hold) {}
 
   /// Seconds since the first frame.
   double Time(StampNs stamp_ns) const { return SecondsBetween(origin_ns, stamp_ns); }
@@ -45,11 +53,14 @@ struct HumanRemover::State {
   void CutCarried(PastFrame& entry, double time_s, bool by_keypoints);
   CellSeeds SeedsOf(const CellPeople& people, CellPerson person) const;
   void KeepCuts(std::vector<PersonCut>& cuts) const;
-  int CountPeople(const CellPeople& people);
+  int CountPeople(const PastFrame& entry);
 
   HumanRemovalConfig config;
   std::optional<PersonCutter> cutter;
   MotionField motion_field;
+  CameraMotion camera_motion;
+  PeopleColours people_colours;
+  std::function<void(const cv::Point&, const CellFeatures&)> on_cell;
   FrameHistory history;
   PersonTracks tracks;
   StampNs origin_ns = 0;
@@ -77,10 +88,15 @@ void HumanRemover::State::Append(const RgbdFrame& frame,
   now.cells.Build(frame.depth_m, frame.camera);
   ReduceToCells(frame.rgb, now.cells.size(), now.grey);
   now.motion.release();
+  now.T_before_now.reset();
+  now.remembered.clear();
   if (history.size() < 2) return;
   const PastFrame& before = history[history.size() - 2];
   if (before.grey.size() != now.grey.size()) return;
   motion_field.Estimate(now.grey, before.grey, now.motion);
+  if (!config.remembered_people.enabled) return;
+  now.T_before_now = camera_motion.Estimate(
+      {before.cells, now.cells, before.people, before.grey, now.grey, now.motion});
 }
 
 /// The newest keypoints of a known frame; older ones would change nothing.
@@ -109,11 +125,17 @@ void HumanRemover::State::CarryInto(std::size_t index) {
   PastFrame& now = history[index];
   if (index == 0 || now.motion.empty()) {
     now.people.Forget(now.cells.size());
+    now.remembered.clear();
     return;
   }
   const PastFrame& before = history[index - 1];
   CarryPeople(before.people, before.cells, now.motion, now.cells,
               SecondsBetween(before.frame.stamp_ns, now.frame.stamp_ns), config.carry, now.people);
+  now.remembered.clear();
+  if (!now.T_before_now) return;
+  RememberPeople({before.people, before.cells, before.remembered, Time(before.frame.stamp_ns)},
+                 now.T_before_now->cast<float>(), now.cells, Time(now.frame.stamp_ns), config.remembered_people,
+                 now.people, now.remembered);
 }
 
 void HumanRemover::State::KeepCuts(std::vector<PersonCut>& cuts) const {
@@ -124,9 +146,11 @@ void HumanRemover::State::CutSkeletons(PastFrame& entry, const Skeletons& skelet
                                        double time_s) {
   CutRequest request;
   request.skeletons = &skeletons;
+  request.on_cell = on_cell;
   request.known_people = known_people;
   request.planes = &entry.planes;
   request.gravity = entry.gravity;
+  request.people_colours = &people_colours;
   cutter->CutCells(entry.frame, request);
   seeds = cutter->people();
   seen.cuts.assign(skeletons.people.size(), PersonCut());
@@ -152,6 +176,7 @@ void HumanRemover::State::MarkSure(const PastFrame& entry) {
   }
   MarkNearSeeds(entry.cells, config.hold.loss_radius_m, kNearSeeds);
   MarkNearSeeds(entry.cells, config.hold.gain_radius_m, kAtSeeds);
+  MarkNearSeeds(entry.cells, kOnSeedsM, kOnSeeds);
 }
 
 void HumanRemover::State::MarkNearSeeds(const CellGrid& cells, double radius_m,
@@ -187,6 +212,7 @@ void HumanRemover::State::CutCarried(PastFrame& entry, double time_s, bool by_ke
   request.gravity = entry.gravity;
   request.known_people = known_people;
   request.planes = &entry.planes;
+  request.people_colours = &people_colours;
   carried.clear();
   const std::vector<int> cells = CountCells(entry.people);
   for (int number = kNobody + 1; number <= kMaxPersonNumber; ++number) {
@@ -220,6 +246,7 @@ void HumanRemover::State::CutAt(std::size_t index, const Skeletons* skeletons, c
   if (by_keypoints) CutSkeletons(entry, *skeletons, time_s);
   CutCarried(entry, time_s, by_keypoints);
   UpdatePeople(by_keypoints ? &seen : nullptr, carried, entry.cells, time_s, tracks, entry.people);
+  if (by_keypoints) people_colours.Add(cutter->colours(), entry.people, seen.near_seeds);
   MarkPeople(entry.people, cell_mask);
   FindNear(index, skeletons);
   if (!entry.near_people.cells.empty()) cell_mask.setTo(255, entry.near_people.cells);
@@ -227,13 +254,15 @@ void HumanRemover::State::CutAt(std::size_t index, const Skeletons* skeletons, c
 }
 
 /// People of enough cells; the others are forgotten.
-int HumanRemover::State::CountPeople(const CellPeople& people) {
-  const std::vector<int> cells = CountCells(people);
+int HumanRemover::State::CountPeople(const PastFrame& entry) {
+  const std::vector<int> cells = CountCells(entry.people);
+  std::vector<int> places(cells.size(), 0);
+  for (const RememberedPlace& place : entry.remembered) ++places[place.person];
   int num_people = 0;
   for (int number = kNobody + 1; number <= kMaxPersonNumber; ++number) {
     if (cells[static_cast<std::size_t>(number)] >= config.hold.min_cells) {
       ++num_people;
-    } else {
+    } else if (places[static_cast<std::size_t>(number)] < config.hold.min_cells) {
       tracks.Forget(static_cast<CellPerson>(number));
     }
   }
@@ -267,7 +296,7 @@ HumanCut HumanRemover::Process(const RgbdFrame& frame, const std::vector<Skeleto
   }
   s.CarryInto(last);
   s.CutAt(last, result.has_own_keypoints ? newest : nullptr, result.mask);
-  result.num_people = s.CountPeople(s.history[last].people);
+  result.num_people = s.CountPeople(s.history[last]);
   if (!s.history[last].near_people.cells.empty()) {
     result.num_people = std::max(result.num_people, 1);
   }
@@ -294,6 +323,11 @@ void HumanRemover::Reset() {
 }
 
 const std::vector<PersonSeeds>& HumanRemover::seeds() const { return state_->seeds; }
+void HumanRemover::SetOnCell(
+    std::function<void(const cv::Point&, const CellFeatures&)> on_cell) {
+  state_->on_cell = std::move(on_cell);
+}
+
 const KeypointCounts& HumanRemover::counts() const { return state_->counts; }
 const HumanRemovalConfig& HumanRemover::config() const { return state_->config; }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <opencv2/core/mat.hpp>
 #include <optional>
@@ -56,6 +57,9 @@ class HumanRemover {
 
   const KeypointCounts& counts() const;
   const HumanRemovalConfig& config() const;
+
+  /// Told of every cell that the learned data term judges; null: nobody. See CutRequest.
+  void SetOnCell(std::function<void(const cv::Point&, const CellFeatures&)> on_cell);
 
   /// People of the keypoints that were applied last, lifted; for drawing.
   const std::vector<PersonSeeds>& seeds() const;

@@ -20,6 +20,12 @@ enum class MinCutBackend {
 };
 
 /// Between which points the background penalty (equation 3) is taken.
+/// What says of a cell by itself whether it is person.
+enum class DataTerm {
+  kPenalty,  ///< `source_weight` against the penalty of equation 3
+  kLearned,  ///< log odds of trees learned from simulated people (own extension; only `grid`)
+};
+
 enum class PenaltyDistance {
   kPlane,  ///< in the horizontal plane, or the image plane where gravity is unknown, as in the
            ///< paper
@@ -28,6 +34,9 @@ enum class PenaltyDistance {
 
 struct MinCutConfig {
   MinCutBackend backend = MinCutBackend::kGrid;
+  DataTerm data_term = DataTerm::kLearned;  ///< of people with keypoints; `pcl` has the penalty
+  double log_odds_weight = 0.3;  ///< learned: of equation 2's unit, for each nat ...
+  double log_odds_offset = 1.3;  ///< ... above minus this: to miss somebody is worse than a hole
   double radius_m = 0.20;      ///< r of equation 3: what is this far from all seeds costs 1
   double sigma_m = 0.25;       ///< sigma of equation 2
   double source_weight = 0.8;  ///< cost of calling a point background (PCL's default)
@@ -50,6 +59,9 @@ void Describe(V& v, MinCutConfig& c) {
   v.Field("radius_m", c.radius_m, 0.02, 2.0);
   v.Field("sigma_m", c.sigma_m, 0.01, 5.0);
   v.Field("source_weight", c.source_weight, 0.01, 100.0);
+  v.Choice("data_term", c.data_term, {"penalty", "learned"});
+  v.Field("log_odds_weight", c.log_odds_weight, 0.0, 100.0);
+  v.Field("log_odds_offset", c.log_odds_offset, -100.0, 100.0);
   v.Choice("penalty_distance", c.penalty_distance, {"plane", "space"});
   v.Field("max_penalty", c.max_penalty, 0.1, 1000.0);
   v.Field("unseen_penalty", c.unseen_penalty, 0.1, 1000.0);
@@ -75,6 +87,7 @@ enum class CellState : std::uint8_t {
 struct CutProblem {
   const CellGrid* cells = nullptr;
   cv::Mat colours;                         ///< CV_8UC3 of the cells; empty: not used (`grid`)
+  const Grid<float>* log_odds = nullptr;   ///< of all cells, nats; null: equation 3 (`grid`)
   cv::Rect region;                         ///< of the cells; not empty
   Grid<CellState> states;                  ///< of the region
   std::vector<BodyPoint> seeds;            ///< foreground points

@@ -103,6 +103,20 @@ float MinCutGrid::PenaltyAt(const CutProblem& problem, const SeedDistance& dista
   return std::min(penalty, static_cast<float>(limit)) + beyond_m / radius;
 }
 
+/// What it costs to call a free cell background, and person.
+MinCutGrid::CellCosts MinCutGrid::CostsOf(const CutProblem& problem, const SeedDistance& distance,
+                                          std::size_t i, const Eigen::Vector3f& p) const {
+  if (problem.log_odds == nullptr) {
+    return {static_cast<float>(problem.source_weight),
+            PenaltyAt(problem, distance, points_[i], p)};
+  }
+  const cv::Point cell = problem.region.tl() + places_[i];
+  const float gain =
+      static_cast<float>(config_.log_odds_weight) *
+      (problem.log_odds->at(cell.x, cell.y) + static_cast<float>(config_.log_odds_offset));
+  return {std::max(gain, 0.0F), std::max(-gain, 0.0F)};
+}
+
 void MinCutGrid::Solve(const CutProblem& problem, cv::Mat& person) {
   person.create(problem.region.size(), CV_8UC1);
   person.setTo(0);
@@ -123,16 +137,16 @@ void MinCutGrid::Solve(const CutProblem& problem, cv::Mat& person) {
   const SeedDistance distance(seeds_);
 
   Graph graph(static_cast<unsigned>(points_.size()), static_cast<unsigned>(8 * points_.size()));
-  const auto source_weight = static_cast<float>(problem.source_weight);
   const float cell_per_spacing =
       static_cast<float>(problem.cells->size_at_1m() / config_.spacing_m);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const int vertex = graph.addVtx();
     const CellState state = problem.states.at(places_[i].x, places_[i].y);
     if (state == CellState::kFree) {
-      const float penalty = PenaltyAt(problem, distance, points_[i], in_penalty_frame(points_[i]));
+      const CellCosts costs = CostsOf(problem, distance, i, in_penalty_frame(points_[i]));
       const float scale = cell_per_spacing * points_[i].z();
-      graph.addTermWeights(vertex, Scaled(scale * source_weight), Scaled(scale * penalty));
+      graph.addTermWeights(vertex, Scaled(scale * costs.as_background),
+                           Scaled(scale * costs.as_person));
     } else {
       const bool is_person = state == CellState::kPerson;
       graph.addTermWeights(vertex, is_person ? kCertain : 0, is_person ? 0 : kCertain);

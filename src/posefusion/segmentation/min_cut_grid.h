@@ -24,6 +24,12 @@ class MinCutGrid : public MinCut {
                   const Eigen::Vector3f& p_camera, const Eigen::Vector3f& p) const;
   float SurfaceShare(CellState a, CellState b) const;
   int SmoothnessWeight(const Eigen::Vector3f& a, const Eigen::Vector3f& b, float share) const;
+  struct CellCosts {
+    float as_background;
+    float as_person;
+  };
+  CellCosts CostsOf(const CutProblem& problem, const SeedDistance& distance, std::size_t i,
+                    const Eigen::Vector3f& p) const;
   float ColourShare(const CutProblem& problem, const cv::Point& a, const cv::Point& b) const;
 
   const MinCutConfig config_;

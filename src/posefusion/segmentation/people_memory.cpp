@@ -50,7 +50,7 @@ bool IsCarried(const std::vector<PersonCut>& carried, CellPerson person) {
 
 /// Share of the way to 1 that evidence goes for a cell that a cut covers.
 float GainAt(const KeypointCuts& seen, const PersonHoldConfig& hold, int x, int y) {
-  const bool is_at_seed = seen.near_seeds.at<std::uint8_t>(y, x) == kAtSeeds;
+  const bool is_at_seed = seen.near_seeds.at<std::uint8_t>(y, x) >= kAtSeeds;
   return static_cast<float>(is_at_seed ? hold.gain : hold.far_gain);
 }
 

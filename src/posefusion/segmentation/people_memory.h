@@ -21,15 +21,16 @@ struct PersonCut {
 };
 
 /// Far from all seeds a cut knows little of who is person; near them it knows what is not person,
-/// at them also what is.
+/// at them also what is; on them there is nothing but person.
 constexpr std::uint8_t kFarFromSeeds = 0;
 constexpr std::uint8_t kNearSeeds = 1;
 constexpr std::uint8_t kAtSeeds = 2;
+constexpr std::uint8_t kOnSeeds = 3;
 
 /// What keypoints of one frame say of its cells. Images are CV_8UC1 of the cells' size.
 struct KeypointCuts {
   std::vector<PersonCut> cuts;
-  cv::Mat near_seeds;  ///< kFarFromSeeds, kNearSeeds or kAtSeeds
+  cv::Mat near_seeds;  ///< kFarFromSeeds, kNearSeeds, kAtSeeds or kOnSeeds
   cv::Mat surfaces;    ///< not 0: on a large plane
 };
 

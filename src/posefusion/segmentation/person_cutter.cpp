@@ -5,12 +5,14 @@
 
 #include "posefusion/config/config.h"
 #include "posefusion/segmentation/background_surfaces.h"
+#include "posefusion/segmentation/boosted_trees.h"
 
 namespace posefusion {
 namespace {
 
 constexpr std::size_t kMinSeeds = 2;        ///< of one person without a certain joint
 constexpr float kSeedDepth = 0.05F;         ///< metres from the cell that shows a seed
+constexpr float kMaxLogOdds = 5;  ///< nats: more is certain enough
 constexpr std::size_t kMaxCellSeeds = 150;  ///< points that stand for certain cells
 
 const HumanRemovalConfig& Checked(const HumanRemovalConfig& config) {
@@ -36,6 +38,8 @@ struct PersonCutter::Parts {
   std::vector<PersonSeeds> people;   ///< of the skeletons
   std::vector<PersonSeeds> carried;  ///< of the cell seeds
   Grid<std::uint8_t> background;     ///< cells on surfaces that are no person's
+  CellFeatureReader features;
+  Grid<float> log_odds;  ///< of the cells, nats
   CutProblem problem;
   cv::Mat cut;
   cv::Mat seeded;                ///< cells of the cut that are connected with certain ones
@@ -62,8 +66,9 @@ struct PersonCutter::Parts {
         const float z = cells.DepthAt(region.cells.x + x, region.cells.y + y);
         const bool in_range = z > 0 && z >= region.min_depth_m && z <= region.max_depth_m;
         const bool on_surface = background.at(region.cells.x + x, region.cells.y + y) != 0;
+        const bool is_certain = on_surface && problem.log_odds == nullptr;
         problem.states.at(x, y) = !in_range    ? CellState::kOutside
-                                  : on_surface ? CellState::kSurface
+                                  : is_certain ? CellState::kSurface
                                                : CellState::kFree;
       }
     }
@@ -112,7 +117,7 @@ struct PersonCutter::Parts {
 
   void Solve() {
     min_cut->Solve(problem, cut);
-    KeepSeededParts();
+    if (problem.log_odds == nullptr) KeepSeededParts();
     cv::Mat part = cell_mask(problem.region);
     cv::bitwise_or(part, cut, part);
     cut.copyTo(cuts[current_cut](problem.region));
@@ -168,9 +173,38 @@ struct PersonCutter::Parts {
     surfaces.Find(cells, seeds, known_people, planes != nullptr ? *planes : none, background);
   }
 
+  void ScoreCells(const CutRequest& request, const CameraModel& camera);
+  cv::Rect PeoplesRegion(const CameraModel& camera) const;
   PersonSeeds SeedsOf(const CellSeeds& seeds) const;
   void FixCells(const CellSeeds& seeds);
 };
+
+/// All cells that any person of the skeletons can fill.
+cv::Rect PersonCutter::Parts::PeoplesRegion(const CameraModel& camera) const {
+  cv::Rect all;
+  for (const PersonSeeds& person : people) {
+    const cv::Rect one = RegionOf(person, cells, camera, config.region, problem.gravity).cells;
+    all = all.empty() ? one : one.empty() ? all : all | one;
+  }
+  return all;
+}
+
+/// The learned data term of the cells that matter.
+void PersonCutter::Parts::ScoreCells(const CutRequest& request, const CameraModel& camera) {
+  log_odds.Resize(cells.width(), cells.height());
+  log_odds.Fill(-kMaxLogOdds);
+  const CellScene scene{cells, problem.colours, background, people, request.people_colours};
+  features.Open(scene);
+  CellFeatures read;
+  const cv::Rect region = PeoplesRegion(camera);
+  for (int y = region.y; y < region.y + region.height; ++y) {
+    for (int x = region.x; x < region.x + region.width; ++x) {
+      if (!features.Read({x, y}, read)) continue;
+      if (request.on_cell) request.on_cell({x, y}, read);
+      log_odds.at(x, y) = PersonTrees().Evaluate(read.data(), kMaxLogOdds);
+    }
+  }
+}
 
 PersonSeeds PersonCutter::Parts::SeedsOf(const CellSeeds& seeds) const {
   std::vector<cv::Point> places;
@@ -248,10 +282,15 @@ void PersonCutter::CutCells(const RgbdFrame& frame, const CutRequest& request) {
   }
   for (const CellSeeds& seeds : request.cell_seeds) p.carried.push_back(p.SeedsOf(seeds));
   p.FindSurfaces(request.known_people, request.planes);
+  const bool is_learned = p.config.min_cut.backend == MinCutBackend::kGrid &&
+                          p.config.min_cut.data_term == DataTerm::kLearned;
+  if ((is_learned || request.on_cell) && !p.people.empty()) p.ScoreCells(request, frame.camera);
+  if (is_learned && !p.people.empty()) p.problem.log_odds = &p.log_odds;
   for (const PersonSeeds& person : p.people) {
     p.BeginCut(num_cuts++);
     p.CutPerson(person, frame.camera);
   }
+  p.problem.log_odds = nullptr;
   for (std::size_t i = 0; i < p.carried.size(); ++i) {
     p.BeginCut(num_cuts++);
     p.CutCells(request.cell_seeds[i], p.carried[i], frame.camera);
@@ -272,6 +311,7 @@ cv::Size PersonCutter::CellSize(const RgbdFrame& frame) const {
 
 const CellGrid& PersonCutter::cells() const { return parts_->cells; }
 const Grid<std::uint8_t>& PersonCutter::background_cells() const { return parts_->background; }
+const cv::Mat& PersonCutter::colours() const { return parts_->problem.colours; }
 const std::vector<cv::Mat>& PersonCutter::cuts() const { return parts_->cuts; }
 const std::vector<PersonSeeds>& PersonCutter::people() const { return parts_->people; }
 

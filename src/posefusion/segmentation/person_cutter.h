@@ -1,12 +1,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <vector>
 
 #include "posefusion/segmentation/background_surfaces.h"
+#include "posefusion/segmentation/cell_features.h"
 #include "posefusion/segmentation/human_removal_config.h"
 
 namespace posefusion {
@@ -26,6 +28,9 @@ struct CutRequest {
       known_people;  ///< CV_8UC1 cells: not 0 = person by what is known; no plane is found there
   std::vector<Plane>* planes = nullptr;    ///< of the frame before; become those of this one
   std::optional<Eigen::Vector3f> gravity;  ///< unit vector downwards, camera frame
+  const PeopleColours* people_colours = nullptr;  ///< null: not known
+  /// Told of every cell that the learned data term judges, or would judge; to learn it.
+  std::function<void(const cv::Point&, const CellFeatures&)> on_cell;
 };
 
 /// Cuts people out of RGB-D frames (paper, section III-B): lifts joints to seeds, solves a min-cut
@@ -59,6 +64,7 @@ class PersonCutter {
   const CellGrid& cells() const;
   const Grid<std::uint8_t>& background_cells() const;  ///< 1 = on a surface that is no person's
   const std::vector<PersonSeeds>& people() const;
+  const cv::Mat& colours() const;  ///< CV_8UC3, mean colour of each cell
 
   /// Each cut by itself, CV_8UC1 of the cells' size, 255 = person: the people of the skeletons,
   /// then the entries of cell_seeds, in their order.
