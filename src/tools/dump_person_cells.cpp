@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 namespace pf = posefusion;
 
-constexpr int kRimPx = 3;      ///< at the border of people, where depth and labels disagree
+constexpr int kRimPx = 3;         ///< at the border of people, where depth and labels disagree
 constexpr int kPersonLabel = 10;  ///< labels from here on are people's
 
 struct Arguments {
@@ -78,8 +78,7 @@ void Dump(const std::string& folder, int every, std::ofstream& out) {
     out.write(reinterpret_cast<const char*>(features.data()), sizeof(features));
   });
   for (int i = 0; const auto frame = source.Next(); ++i) {
-    const std::string label_file =
-        folder + "/labels/" + pf::FormatStamp(frame->stamp_ns) + ".png";
+    const std::string label_file = folder + "/labels/" + pf::FormatStamp(frame->stamp_ns) + ".png";
     truth = i % every == 0 && fs::exists(label_file) ? TruthOf(label_file) : cv::Mat();
     remover.Process(*frame, KeypointsOf(folder, frame->stamp_ns));
   }

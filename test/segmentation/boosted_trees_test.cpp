@@ -49,7 +49,9 @@ CellFeatures CellBesideSeed(float distance_m, float colour_ratio) {
 }
 
 TEST(PersonTrees, TellPersonFromBackground) {
-  const auto odds = [](const CellFeatures& f) { return PersonTrees().Evaluate(f.data(), kNoLimit); };
+  const auto odds = [](const CellFeatures& f) {
+    return PersonTrees().Evaluate(f.data(), kNoLimit);
+  };
   EXPECT_GT(odds(CellBesideSeed(0.03F, 0)), 1);
   EXPECT_LT(odds(CellBesideSeed(0.8F, 0)), -2);
   EXPECT_GT(odds(CellBesideSeed(0.2F, 3)), odds(CellBesideSeed(0.2F, -3)) + 2);

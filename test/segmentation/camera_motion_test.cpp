@@ -34,8 +34,8 @@ struct Room {
         const Eigen::Vector3d ray((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1);
         const Eigen::Vector3d from = T_room_camera.translation();
         const Eigen::Vector3d d = T_room_camera.linear() * ray;
-        double t = (3 - from.z()) / d.z();                        // wall
-        if (d.y() > 0) t = std::min(t, (1 - from.y()) / d.y());   // floor
+        double t = (3 - from.z()) / d.z();                         // wall
+        if (d.y() > 0) t = std::min(t, (1 - from.y()) / d.y());    // floor
         if (d.x() > 0) t = std::min(t, (1.5 - from.x()) / d.x());  // other wall
         const double slab = (1.5 - from.z()) / d.z();
         const Eigen::Vector3d at = from + slab * d;

@@ -26,9 +26,9 @@ class CellFeaturesTest : public testing::Test {
     CellFeatureReader reader;
     reader.Open(scene);
     const Eigen::Vector2d place = cells_.PlaceOf({x_m, y_m, z_m});
-    return reader.Read({static_cast<int>(std::lround(place.x())),
-                        static_cast<int>(std::lround(place.y()))},
-                       features_);
+    return reader.Read(
+        {static_cast<int>(std::lround(place.x())), static_cast<int>(std::lround(place.y()))},
+        features_);
   }
 
   SyntheticScene scene_;
@@ -58,9 +58,7 @@ TEST_F(CellFeaturesTest, ThePieceIsAsLargeAsTheSlab) {
   EXPECT_NEAR(std::exp(features_[kPieceArea]), 2 * scene_.half_width_m * height, 0.1);
 }
 
-TEST_F(CellFeaturesTest, TheWallBehindIsOutOfReach) {
-  EXPECT_FALSE(Read(0.5, 0, scene_.wall_m));
-}
+TEST_F(CellFeaturesTest, TheWallBehindIsOutOfReach) { EXPECT_FALSE(Read(0.5, 0, scene_.wall_m)); }
 
 TEST_F(CellFeaturesTest, SeedsOnSurfacesDoNotCount) {
   surfaces_.Fill(1);

@@ -43,7 +43,8 @@ class RememberedPeopleTest : public testing::Test {
   int NumFound() const {
     int count = 0;
     for (int y = 0; y < people_.person.height(); ++y) {
-      for (int x = 0; x < people_.person.width(); ++x) count += people_.person.at(x, y) == kSomebody;
+      for (int x = 0; x < people_.person.width(); ++x)
+        count += people_.person.at(x, y) == kSomebody;
     }
     return count;
   }

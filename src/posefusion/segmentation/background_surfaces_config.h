@@ -3,7 +3,8 @@
 namespace posefusion {
 
 /// Own extension: large planes (floor, wall, table) are found away from the people and followed up
-/// to them, and what lies on them is background. It keeps floors with the feet on them, and people
+/// to them, and what lies on them is background (the learned data term only takes it for a sign of
+/// that). It keeps floors with the feet on them, and people
 /// that a network saw in a wall.
 struct BackgroundSurfacesConfig {
   bool enabled = true;

@@ -23,7 +23,7 @@ constexpr double kMaxPlaneDistance = 0.08;    ///< metres
 constexpr double kLeastSurfaceSigma = 0.004;  ///< metres
 constexpr double kMaxSlope = 0.1;             ///< of the depth, from a cell to those around it
 constexpr int kNormalReach = 2;               ///< cells
-constexpr double kCutoff = 4.685;  ///< sigmas: Tukey's biweight at 95 % efficiency
+constexpr double kCutoff = 4.685;             ///< sigmas: Tukey's biweight at 95 % efficiency
 constexpr int kMinInliers = 100;
 constexpr double kMinInlierShare = 0.3;
 constexpr double kDamping = 1e-6;
@@ -185,8 +185,7 @@ void CameraMotion::AddSurface(const CameraMotionTask& task, const Moved& moved, 
   const cv::Point cell = CellAt(moved.place);
   const auto normal = NormalAt(task.before, cell);
   if (!normal) return;
-  const double distance =
-      normal->dot(moved.p - task.before.PointAt(cell.x, cell.y).cast<double>());
+  const double distance = normal->dot(moved.p - task.before.PointAt(cell.x, cell.y).cast<double>());
   if (std::abs(distance) > kMaxPlaneDistance) return;
   const double noise = static_cast<double>(DepthSigma({}, static_cast<float>(moved.p.z())));
   const double sigma = std::max(kLeastSurfaceSigma, noise);

@@ -134,8 +134,8 @@ void HumanRemover::State::CarryInto(std::size_t index) {
   now.remembered.clear();
   if (!now.T_before_now) return;
   RememberPeople({before.people, before.cells, before.remembered, Time(before.frame.stamp_ns)},
-                 now.T_before_now->cast<float>(), now.cells, Time(now.frame.stamp_ns), config.remembered_people,
-                 now.people, now.remembered);
+                 now.T_before_now->cast<float>(), now.cells, Time(now.frame.stamp_ns),
+                 config.remembered_people, now.people, now.remembered);
 }
 
 void HumanRemover::State::KeepCuts(std::vector<PersonCut>& cuts) const {
@@ -323,8 +323,7 @@ void HumanRemover::Reset() {
 }
 
 const std::vector<PersonSeeds>& HumanRemover::seeds() const { return state_->seeds; }
-void HumanRemover::SetOnCell(
-    std::function<void(const cv::Point&, const CellFeatures&)> on_cell) {
+void HumanRemover::SetOnCell(std::function<void(const cv::Point&, const CellFeatures&)> on_cell) {
   state_->on_cell = std::move(on_cell);
 }
 

@@ -19,13 +19,13 @@ enum class MinCutBackend {
   kGrid,  ///< graph of neighbouring cells of the image
 };
 
-/// Between which points the background penalty (equation 3) is taken.
 /// What says of a cell by itself whether it is person.
 enum class DataTerm {
   kPenalty,  ///< `source_weight` against the penalty of equation 3
   kLearned,  ///< log odds of trees learned from simulated people (own extension; only `grid`)
 };
 
+/// Between which points the background penalty (equation 3) is taken.
 enum class PenaltyDistance {
   kPlane,  ///< in the horizontal plane, or the image plane where gravity is unknown, as in the
            ///< paper
@@ -35,11 +35,11 @@ enum class PenaltyDistance {
 struct MinCutConfig {
   MinCutBackend backend = MinCutBackend::kGrid;
   DataTerm data_term = DataTerm::kLearned;  ///< of people with keypoints; `pcl` has the penalty
-  double log_odds_weight = 0.3;  ///< learned: of equation 2's unit, for each nat ...
+  double log_odds_weight = 0.3;             ///< learned: of equation 2's unit, for each nat ...
   double log_odds_offset = 1.3;  ///< ... above minus this: to miss somebody is worse than a hole
-  double radius_m = 0.20;      ///< r of equation 3: what is this far from all seeds costs 1
-  double sigma_m = 0.25;       ///< sigma of equation 2
-  double source_weight = 0.8;  ///< cost of calling a point background (PCL's default)
+  double radius_m = 0.20;        ///< r of equation 3: what is this far from all seeds costs 1
+  double sigma_m = 0.25;         ///< sigma of equation 2
+  double source_weight = 0.8;    ///< cost of calling a point background (PCL's default)
   PenaltyDistance penalty_distance = PenaltyDistance::kSpace;
   double max_penalty = 0.82;     ///< grid: equation 3 stops growing here (own extension) ...
   double reach_m = 0.35;         ///< ... and goes on this far from all seeds

@@ -107,8 +107,7 @@ float MinCutGrid::PenaltyAt(const CutProblem& problem, const SeedDistance& dista
 MinCutGrid::CellCosts MinCutGrid::CostsOf(const CutProblem& problem, const SeedDistance& distance,
                                           std::size_t i, const Eigen::Vector3f& p) const {
   if (problem.log_odds == nullptr) {
-    return {static_cast<float>(problem.source_weight),
-            PenaltyAt(problem, distance, points_[i], p)};
+    return {static_cast<float>(problem.source_weight), PenaltyAt(problem, distance, points_[i], p)};
   }
   const cv::Point cell = problem.region.tl() + places_[i];
   const float gain =

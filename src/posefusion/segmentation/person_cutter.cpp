@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMinSeeds = 2;        ///< of one person without a certain joint
 constexpr float kSeedDepth = 0.05F;         ///< metres from the cell that shows a seed
-constexpr float kMaxLogOdds = 5;  ///< nats: more is certain enough
+constexpr float kMaxLogOdds = 5;            ///< nats: more is certain enough
 constexpr std::size_t kMaxCellSeeds = 150;  ///< points that stand for certain cells
 
 const HumanRemovalConfig& Checked(const HumanRemovalConfig& config) {

@@ -26,8 +26,8 @@ struct CutRequest {
   std::vector<CellSeeds> cell_seeds;     ///< each is one cut of its own: one per carried person
   cv::Mat
       known_people;  ///< CV_8UC1 cells: not 0 = person by what is known; no plane is found there
-  std::vector<Plane>* planes = nullptr;    ///< of the frame before; become those of this one
-  std::optional<Eigen::Vector3f> gravity;  ///< unit vector downwards, camera frame
+  std::vector<Plane>* planes = nullptr;           ///< of the frame before; become those of this one
+  std::optional<Eigen::Vector3f> gravity;         ///< unit vector downwards, camera frame
   const PeopleColours* people_colours = nullptr;  ///< null: not known
   /// Told of every cell that the learned data term judges, or would judge; to learn it.
   std::function<void(const cv::Point&, const CellFeatures&)> on_cell;

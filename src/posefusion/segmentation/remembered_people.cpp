@@ -30,8 +30,7 @@ class Remembering {
     const int y = static_cast<int>(std::lround(at.y()));
     if (x < 0 || y < 0 || x >= cells_.width() || y >= cells_.height()) return Keep(place);
     const float z = cells_.DepthAt(x, y);
-    const auto limit_m =
-        static_cast<float>(config_.max_difference_m + config_.speed_m_s * age_s);
+    const auto limit_m = static_cast<float>(config_.max_difference_m + config_.speed_m_s * age_s);
     if (z <= 0 || z < place.p_camera.z() - limit_m) return Keep(place);
     if (z > place.p_camera.z() + limit_m || people_.person.at(x, y) != kUnknownCell) return;
     people_.person.at(x, y) = place.person;

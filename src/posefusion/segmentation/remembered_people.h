@@ -10,9 +10,10 @@ namespace posefusion {
 
 struct RememberedPeopleConfig {
   bool enabled = true;
-  double memory_s = 3.0;          ///< whoever is out of view stays where they were for so long
-  double max_difference_m = 0.08; ///< a cell this close in depth to where somebody was is theirs ...
-  double speed_m_s = 0.1;         ///< ... and so much more for each second since
+  double memory_s = 3.0;  ///< whoever is out of view stays where they were for so long
+  double max_difference_m =
+      0.08;                ///< a cell this close in depth to where somebody was is theirs ...
+  double speed_m_s = 0.1;  ///< ... and so much more for each second since
 };
 
 template <class V>

@@ -86,7 +86,8 @@ class HumanRemovalNodelet : public CheckedNodelet {
         private_node, config_,
         std::vector<std::string>{"enabled", "policy", "max_wait_s", "seeds.min_joint_confidence",
                                  "min_cut.radius_m", "min_cut.sigma_m", "min_cut.source_weight",
-                                 "min_cut.max_penalty", "min_cut.reach_m"},
+                                 "min_cut.max_penalty", "min_cut.reach_m",
+                                 "min_cut.log_odds_weight", "min_cut.log_odds_offset"},
         [this](const HumanRemovalNodeletConfig& config) { worker_->Adopt(config.removal); },
         [this](const std::string& text) { NODELET_ERROR_STREAM(text); });
     set_human_removal_ = private_node.advertiseService("set_human_removal",
