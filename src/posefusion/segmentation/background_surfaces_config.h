@@ -4,8 +4,7 @@ namespace posefusion {
 
 /// Own extension: large planes (floor, wall, table) are found away from the people and followed up
 /// to them, and what lies on them is background (the learned data term only takes it for a sign of
-/// that). It keeps floors with the feet on them, and people
-/// that a network saw in a wall.
+/// that). It keeps floors with the feet on them, and people that a network saw in a wall.
 struct BackgroundSurfacesConfig {
   bool enabled = true;
   double max_angle_rad = 0.5;             ///< ... and its normal is so close to the plane's

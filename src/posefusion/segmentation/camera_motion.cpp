@@ -114,8 +114,7 @@ void CameraMotion::Collect(const CameraMotionTask& task) {
                                   y + static_cast<double>(moved[x][1]));
       const cv::Point cell = CellAt(place);
       if (!inside.contains(cell) || task.before.DepthAt(cell.x, cell.y) <= 0) continue;
-      const CellPerson person = task.people_before.person.at(cell.x, cell.y);
-      if (person != kNobody && person != kUnknownCell) continue;
+      if (IsPerson(task.people_before.person.at(cell.x, cell.y))) continue;
       const int down = task.grey_now.at<std::uint8_t>(y + 1, x);
       const int up = task.grey_now.at<std::uint8_t>(y - 1, x);
       samples_.push_back({task.now.PointAt(x, y).cast<double>(),
@@ -126,43 +125,55 @@ void CameraMotion::Collect(const CameraMotionTask& task) {
   }
 }
 
-CameraMotion::System CameraMotion::LineariseFlow(const CameraMotionTask& task,
-                                                 const Eigen::Isometry3d& T_before_now,
-                                                 double sigma_cells) const {
-  System system;
-  const double focal = 1 / task.before.size_at_1m();
-  for (const Sample& sample : samples_) {
-    const Eigen::Vector3d p = T_before_now * sample.p_now;
-    if (p.z() <= 0) continue;
-    const Eigen::Vector2d error = task.before.PlaceOf(p) - sample.place_before;
-    const double weight = TukeyWeight(error.norm() / sigma_cells) / (sigma_cells * sigma_cells);
-    if (weight <= 0) continue;
-    ++system.num_inliers;
-    for (int axis = 0; axis < 2; ++axis) {
-      Eigen::Vector3d by_point = Eigen::Vector3d::Zero();
-      by_point[axis] = focal / p.z();
-      by_point.z() = -focal * p[axis] / (p.z() * p.z());
-      system.Add(ByMotion(by_point, p), error[axis], weight * sample.sharpness[axis]);
-    }
-  }
-  return system;
-}
-
-CameraMotion::System CameraMotion::LineariseImages(const CameraMotionTask& task,
-                                                   const Eigen::Isometry3d& T_before_now,
-                                                   double grey_difference) const {
+template <class Add>
+CameraMotion::System CameraMotion::Linearise(const CameraMotionTask& task,
+                                             const Eigen::Isometry3d& T_before_now,
+                                             const Add& add) const {
   System system;
   const double focal = 1 / task.before.size_at_1m();
   for (const Sample& sample : samples_) {
     const Eigen::Vector3d p = T_before_now * sample.p_now;
     if (p.z() <= 0) continue;
     const Eigen::Vector2d place = task.before.PlaceOf(p);
-    if ((place - sample.place_before).norm() > kMaxFlowError) continue;
-    ++system.num_inliers;
-    AddIntensity(task, sample, {p, place, focal}, grey_difference, system);
-    AddSurface(task, {p, place, focal}, system);
+    add(sample, Moved{p, place, focal, (place - sample.place_before).norm()}, system);
   }
   return system;
+}
+
+CameraMotion::System CameraMotion::LineariseFlow(const CameraMotionTask& task,
+                                                 const Eigen::Isometry3d& T_before_now,
+                                                 double sigma_cells) const {
+  return Linearise(task, T_before_now,
+                   [&](const Sample& sample, const Moved& moved, System& system) {
+                     AddFlow(sample, moved, sigma_cells, system);
+                   });
+}
+
+CameraMotion::System CameraMotion::LineariseImages(const CameraMotionTask& task,
+                                                   const Eigen::Isometry3d& T_before_now,
+                                                   double grey_difference) const {
+  return Linearise(task, T_before_now,
+                   [&](const Sample& sample, const Moved& moved, System& system) {
+                     if (moved.flow_error > kMaxFlowError) return;
+                     ++system.num_inliers;
+                     AddIntensity(task, sample, moved, grey_difference, system);
+                     AddSurface(task, moved, system);
+                   });
+}
+
+void CameraMotion::AddFlow(const Sample& sample, const Moved& moved, double sigma_cells,
+                           System& system) {
+  const double weight = TukeyWeight(moved.flow_error / sigma_cells) / (sigma_cells * sigma_cells);
+  if (weight <= 0) return;
+  ++system.num_inliers;
+  const Eigen::Vector2d error = moved.place - sample.place_before;
+  const double z = moved.p.z();
+  for (int axis = 0; axis < 2; ++axis) {
+    Eigen::Vector3d by_point = Eigen::Vector3d::Zero();
+    by_point[axis] = moved.focal / z;
+    by_point.z() = -moved.focal * moved.p[axis] / (z * z);
+    system.Add(ByMotion(by_point, moved.p), error[axis], weight * sample.sharpness[axis]);
+  }
 }
 
 void CameraMotion::AddIntensity(const CameraMotionTask& task, const Sample& sample,

@@ -54,13 +54,19 @@ class CameraMotion {
     Eigen::Vector3d p;
     Eigen::Vector2d place;  ///< cells
     double focal;           ///< cells
+    double flow_error;      ///< cells from where the flow says
   };
 
   void Collect(const CameraMotionTask& task);
+  /// `add` tells a system of each sample that comes to lie before the camera.
+  template <class Add>
+  System Linearise(const CameraMotionTask& task, const Eigen::Isometry3d& T_before_now,
+                   const Add& add) const;
   System LineariseFlow(const CameraMotionTask& task, const Eigen::Isometry3d& T_before_now,
                        double sigma_cells) const;
   System LineariseImages(const CameraMotionTask& task, const Eigen::Isometry3d& T_before_now,
                          double grey_difference) const;
+  static void AddFlow(const Sample& sample, const Moved& moved, double sigma_cells, System& system);
   static void AddIntensity(const CameraMotionTask& task, const Sample& sample, const Moved& moved,
                            double grey_difference, System& system);
   static void AddSurface(const CameraMotionTask& task, const Moved& moved, System& system);

@@ -14,6 +14,8 @@ constexpr CellPerson kNobody = 0;  ///< background
 constexpr CellPerson kMaxPersonNumber = 254;
 constexpr CellPerson kUnknownCell = 255;  ///< came into view or could not be followed
 
+inline bool IsPerson(CellPerson person) { return person != kNobody && person != kUnknownCell; }
+
 /// Who is where in the cells of a frame.
 struct CellPeople {
   Grid<CellPerson> person;  ///< number of a tracked person, or one of the constants above

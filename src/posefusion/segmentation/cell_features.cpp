@@ -18,6 +18,11 @@ bool Found(const PersonSeeds& person, CocoJoint joint) { return person.found[joi
 
 }  // namespace
 
+bool IsOnSurface(const Seed& seed, const CellGrid& cells, const Grid<std::uint8_t>& surfaces) {
+  const auto cell = cells.CellAt(seed.pixel);
+  return cell && surfaces.at(cell->x, cell->y) != 0;
+}
+
 void CellFeatureReader::Seeds::Clear() {
   for (auto* values : {&x, &y, &z, &share}) values->clear();
   person.clear();
@@ -43,8 +48,8 @@ void CellFeatureReader::CollectSeeds(const CellScene& scene) {
   max_depth_m_ = 0;
   for (std::size_t i = 0; i < scene.people.size(); ++i) {
     for (const Seed& seed : scene.people[i].seeds) {
-      const auto cell = scene.cells.CellAt(seed.pixel);
-      if (!cell || scene.surfaces.at(cell->x, cell->y) != 0) continue;
+      if (!scene.cells.CellAt(seed.pixel)) continue;
+      if (IsOnSurface(seed, scene.cells, scene.surfaces)) continue;
       const Thickness thickness = seed.radius_share >= 1           ? kThick
                                   : seed.radius_share < kThinShare ? kThin
                                                                    : kMedium;

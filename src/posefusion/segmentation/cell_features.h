@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
@@ -40,6 +41,9 @@ enum CellFeature : std::uint8_t {
 
 using CellFeatures = std::array<float, kNumCellFeatures>;
 
+/// Told of single cells.
+using CellListener = std::function<void(const cv::Point&, const CellFeatures&)>;
+
 /// A frame with people in it.
 struct CellScene {
   const CellGrid& cells;
@@ -48,6 +52,9 @@ struct CellScene {
   const std::vector<PersonSeeds>& people;  ///< seeds on surfaces do not count
   const PeopleColours* people_colours;     ///< null: nothing is known of colours
 };
+
+/// Whether the cell that shows a seed is on a large plane.
+bool IsOnSurface(const Seed& seed, const CellGrid& cells, const Grid<std::uint8_t>& surfaces);
 
 /// Reads the features of single cells. Keeps its memory between frames. Not thread-safe.
 class CellFeatureReader {

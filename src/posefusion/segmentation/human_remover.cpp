@@ -60,7 +60,7 @@ struct HumanRemover::State {
   MotionField motion_field;
   CameraMotion camera_motion;
   PeopleColours people_colours;
-  std::function<void(const cv::Point&, const CellFeatures&)> on_cell;
+  CellListener on_cell;  ///< null: nobody is told
   FrameHistory history;
   PersonTracks tracks;
   StampNs origin_ns = 0;
@@ -89,7 +89,6 @@ void HumanRemover::State::Append(const RgbdFrame& frame,
   ReduceToCells(frame.rgb, now.cells.size(), now.grey);
   now.motion.release();
   now.T_before_now.reset();
-  now.remembered.clear();
   if (history.size() < 2) return;
   const PastFrame& before = history[history.size() - 2];
   if (before.grey.size() != now.grey.size()) return;
@@ -123,15 +122,14 @@ void HumanRemover::State::ForgetWhatIsTooOld(StampNs now_ns) {
 
 void HumanRemover::State::CarryInto(std::size_t index) {
   PastFrame& now = history[index];
+  now.remembered.clear();
   if (index == 0 || now.motion.empty()) {
     now.people.Forget(now.cells.size());
-    now.remembered.clear();
     return;
   }
   const PastFrame& before = history[index - 1];
   CarryPeople(before.people, before.cells, now.motion, now.cells,
               SecondsBetween(before.frame.stamp_ns, now.frame.stamp_ns), config.carry, now.people);
-  now.remembered.clear();
   if (!now.T_before_now) return;
   RememberPeople({before.people, before.cells, before.remembered, Time(before.frame.stamp_ns)},
                  now.T_before_now->cast<float>(), now.cells, Time(now.frame.stamp_ns),
@@ -212,7 +210,6 @@ void HumanRemover::State::CutCarried(PastFrame& entry, double time_s, bool by_ke
   request.gravity = entry.gravity;
   request.known_people = known_people;
   request.planes = &entry.planes;
-  request.people_colours = &people_colours;
   carried.clear();
   const std::vector<int> cells = CountCells(entry.people);
   for (int number = kNobody + 1; number <= kMaxPersonNumber; ++number) {
@@ -322,11 +319,9 @@ void HumanRemover::Reset() {
   state_ = std::make_unique<State>(config);
 }
 
-const std::vector<PersonSeeds>& HumanRemover::seeds() const { return state_->seeds; }
-void HumanRemover::SetOnCell(std::function<void(const cv::Point&, const CellFeatures&)> on_cell) {
-  state_->on_cell = std::move(on_cell);
-}
+void HumanRemover::SetOnCell(CellListener on_cell) { state_->on_cell = std::move(on_cell); }
 
+const std::vector<PersonSeeds>& HumanRemover::seeds() const { return state_->seeds; }
 const KeypointCounts& HumanRemover::counts() const { return state_->counts; }
 const HumanRemovalConfig& HumanRemover::config() const { return state_->config; }
 

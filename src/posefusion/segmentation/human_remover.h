@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <opencv2/core/mat.hpp>
 #include <optional>
@@ -59,7 +58,7 @@ class HumanRemover {
   const HumanRemovalConfig& config() const;
 
   /// Told of every cell that the learned data term judges; null: nobody. See CutRequest.
-  void SetOnCell(std::function<void(const cv::Point&, const CellFeatures&)> on_cell);
+  void SetOnCell(CellListener on_cell);
 
   /// People of the keypoints that were applied last, lifted; for drawing.
   const std::vector<PersonSeeds>& seeds() const;

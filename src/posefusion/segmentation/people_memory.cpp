@@ -15,8 +15,6 @@ constexpr float kWeakEvidence = 0.1F;
 
 constexpr std::size_t kNumNumbers = 256;
 
-bool IsPerson(CellPerson person) { return person != kNobody && person != kUnknownCell; }
-
 template <class Body>
 void ForEachCell(const CellPeople& people, const Body& body) {
   for (int y = 0; y < people.person.height(); ++y) {

@@ -127,8 +127,7 @@ struct PersonCutter::Parts {
   bool OpenProblem(const PersonSeeds& person, const CameraModel& camera) {
     PersonSeeds kept = person;
     const auto is_on_background = [&](const Seed& seed) {
-      const auto cell = cells.CellAt(seed.pixel);
-      return cell && background.at(cell->x, cell->y) != 0;
+      return IsOnSurface(seed, cells, background);
     };
     kept.seeds.erase(std::remove_if(kept.seeds.begin(), kept.seeds.end(), is_on_background),
                      kept.seeds.end());

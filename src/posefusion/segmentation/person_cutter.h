@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
 #include <memory>
 #include <opencv2/core/mat.hpp>
 #include <optional>
@@ -30,7 +29,7 @@ struct CutRequest {
   std::optional<Eigen::Vector3f> gravity;         ///< unit vector downwards, camera frame
   const PeopleColours* people_colours = nullptr;  ///< null: not known
   /// Told of every cell that the learned data term judges, or would judge; to learn it.
-  std::function<void(const cv::Point&, const CellFeatures&)> on_cell;
+  CellListener on_cell;
 };
 
 /// Cuts people out of RGB-D frames (paper, section III-B): lifts joints to seeds, solves a min-cut

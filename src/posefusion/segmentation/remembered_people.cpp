@@ -59,7 +59,7 @@ void RememberPeople(const PeopleThen& before, const Eigen::Isometry3f& T_before_
   for (int y = 0; y < before.cells.height(); ++y) {
     for (int x = 0; x < before.cells.width(); ++x) {
       const CellPerson person = before.people.person.at(x, y);
-      if (person == kNobody || person == kUnknownCell) continue;
+      if (!IsPerson(person)) continue;
       const float evidence = before.people.evidence.at(x, y);
       if (evidence < kFirstEvidence || before.cells.DepthAt(x, y) <= 0) continue;
       remembering.Take({before.cells.PointAt(x, y), person, evidence, before.time_s});
