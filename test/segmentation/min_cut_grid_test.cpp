@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "posefusion/segmentation/people_memory.h"
 #include "test/segmentation/synthetic_person.h"
 
 namespace posefusion {
@@ -43,16 +44,43 @@ class RidgeOnATable : public testing::Test {
     }
   }
 
-  int NumPersonCells() {
+  cv::Mat Solve() const {
     cv::Mat person;
     MinCutGrid(config_).Solve(problem_, person);
-    return cv::countNonZero(person);
+    return person;
   }
+
+  int NumPersonCells() const { return cv::countNonZero(Solve()); }
 
   MinCutConfig config_;
   CellGrid cells_{CellGridConfig()};
   CutProblem problem_;
 };
+
+/// The half of the ridge that has the colour of the room is not the person's.
+TEST_F(RidgeOnATable, EndsWhereTheColoursOfPeopleEnd) {
+  const cv::Scalar skin(200, 150, 120);
+  const cv::Scalar wood(120, 90, 60);
+  problem_.colours = cv::Mat(cells_.size(), CV_8UC3, wood);
+  problem_.colours.colRange(0, kMiddle + 1).setTo(skin);
+  CellPeople people;
+  people.Forget(cells_.size());
+  people.evidence.Fill(1);
+  for (int y = 0; y < cells_.height(); ++y) {
+    for (int x = 0; x < cells_.width(); ++x) people.person.at(x, y) = x <= kMiddle ? 1 : kNobody;
+  }
+  PeopleColours colours{PeopleColoursConfig()};
+  colours.Add(problem_.colours, people, cv::Mat(cells_.size(), CV_8UC1, cv::Scalar(kOnSeeds)));
+  config_.colour_sigma = 100000;  // edges know no colours
+  const cv::Mat by_distance = Solve();
+  EXPECT_EQ(by_distance.at<std::uint8_t>(60, kMiddle + 10), 255);
+  EXPECT_EQ(by_distance.at<std::uint8_t>(60, kMiddle - 30), 0);
+  problem_.people_colours = &colours;
+  problem_.colour_weight = 0.1;
+  const cv::Mat by_colours = Solve();
+  EXPECT_EQ(by_colours.at<std::uint8_t>(60, kMiddle + 10), 0);
+  EXPECT_EQ(by_colours.at<std::uint8_t>(60, kMiddle - 30), 255);
+}
 
 TEST_F(RidgeOnATable, EndsAtTheTable) {
   const int along_16_cm = 2 * 17 * (kLastRow - kFirstRow + 1);

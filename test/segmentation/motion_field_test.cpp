@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "test/segmentation/moving_person.h"
 
@@ -28,6 +29,28 @@ TEST(MotionField, PointsToWhereTheContentWas) {
   const cv::Scalar mean = cv::mean(motion(body));
   EXPECT_NEAR(mean[0], expected, 0.3);
   EXPECT_NEAR(mean[1], 0, 0.3);
+}
+
+/// A limb three cells wide that moves over a patterned floor.
+TEST(MotionField, FollowsWhatIsThin) {
+  constexpr int kShift = 2;
+  cv::Mat floor(120, 160, CV_8UC1);
+  cv::RNG random(1);
+  random.fill(floor, cv::RNG::UNIFORM, 60, 120);
+  cv::GaussianBlur(floor, floor, {5, 5}, 1.5);
+  const auto with_limb_at = [&](int column) {
+    cv::Mat grey = floor.clone();
+    for (int y = 30; y < 90; ++y) {
+      for (int x = column; x < column + 3; ++x) {
+        grey.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(180 + 25 * (y / 3 % 3));
+      }
+    }
+    return grey;
+  };
+  cv::Mat motion;
+  MotionField().Estimate(with_limb_at(80 + kShift), with_limb_at(80), motion);
+  EXPECT_NEAR(cv::mean(motion(cv::Rect(80 + kShift, 40, 3, 40)))[0], -kShift, 0.5);
+  EXPECT_NEAR(cv::mean(motion(cv::Rect(10, 10, 50, 100)))[0], 0, 0.1);
 }
 
 TEST(MotionField, IsTheSameForAnyNumberOfThreads) {

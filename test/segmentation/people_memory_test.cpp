@@ -67,5 +67,26 @@ TEST_F(PeopleMemoryTest, BelievesMoreAtASeed) {
   EXPECT_GT(near, -1);
 }
 
+TEST_F(PeopleMemoryTest, KeypointsDecideAtOnceWhatOnlyNeighboursHaveDecided) {
+  seen_.cuts.front().cells.setTo(255);
+  EXPECT_EQ(After(-kWeakEvidence, kNobody), kFirstEvidence);
+  EXPECT_LT(After(-2 * kWeakEvidence, kNobody), kFirstEvidence);
+}
+
+TEST_F(PeopleMemoryTest, ACarriedCutTakesBackWhatOnlyNeighboursHaveDecided) {
+  const std::vector<PersonCut> carried = {
+      {person_, false, cv::Mat(1, 1, CV_8UC1, cv::Scalar(255))}};
+  for (const float before : {-kWeakEvidence, -2 * kWeakEvidence}) {
+    CellPeople people;
+    people.Forget(cells_.size());
+    people.person.at(0, 0) = kNobody;
+    people.evidence.at(0, 0) = before;
+    const bool is_weak = IsWeakBackground(people, 0, 0);
+    UpdatePeople(nullptr, carried, cells_, 0, tracks_, people);
+    EXPECT_EQ(people.person.at(0, 0), is_weak ? person_ : kNobody);
+    EXPECT_EQ(people.evidence.at(0, 0), is_weak ? kWeakEvidence : before);
+  }
+}
+
 }  // namespace
 }  // namespace posefusion

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "posefusion/image/depth_noise.h"
 
@@ -26,6 +28,32 @@ bool IsPure(const CellPeople& people, const CellGrid& cells, int x, int y, float
   return others <= same;
 }
 
+/// The cell whose knowledge is of the place nearest to this one; `place` becomes where that is from
+/// here, cells.
+std::optional<cv::Point> NearestKnown(const CellPeople& people, const cv::Point2f& at,
+                                      cv::Vec2f& place) {
+  const int column = static_cast<int>(std::lround(at.x));
+  const int row = static_cast<int>(std::lround(at.y));
+  const int width = people.person.width();
+  const int height = people.person.height();
+  if (column < 0 || row < 0 || column >= width || row >= height) return std::nullopt;
+  std::optional<cv::Point> nearest;
+  float least = std::numeric_limits<float>::infinity();
+  for (int v = std::max(0, row - 1); v <= std::min(height - 1, row + 1); ++v) {
+    for (int u = std::max(0, column - 1); u <= std::min(width - 1, column + 1); ++u) {
+      const cv::Vec2f offset = people.place.at(u, v);
+      const cv::Vec2f from_here(static_cast<float>(u) + offset[0] - at.x,
+                                static_cast<float>(v) + offset[1] - at.y);
+      const float squared = from_here.dot(from_here);
+      if (squared >= least) continue;
+      least = squared;
+      nearest = cv::Point(u, v);
+      place = from_here;
+    }
+  }
+  return nearest;
+}
+
 }  // namespace
 
 void CarryPeople(const CellPeople& before, const CellGrid& cells_before, const cv::Mat& motion,
@@ -40,9 +68,13 @@ void CarryPeople(const CellPeople& before, const CellGrid& cells_before, const c
   for (int y = 0; y < height; ++y) {
     const auto* moved = motion.ptr<cv::Vec2f>(y);
     for (int x = 0; x < width; ++x) {
-      const int u = static_cast<int>(std::lround(static_cast<float>(x) + moved[x][0]));
-      const int v = static_cast<int>(std::lround(static_cast<float>(y) + moved[x][1]));
-      if (u < 0 || v < 0 || u >= width || v >= height) continue;
+      const cv::Point2f came_from(static_cast<float>(x) + moved[x][0],
+                                  static_cast<float>(y) + moved[x][1]);
+      cv::Vec2f place;
+      const auto cell = NearestKnown(before, came_from, place);
+      if (!cell) continue;
+      const int u = cell->x;
+      const int v = cell->y;
       const float z = cells_now.DepthAt(x, y);
       const float z_before = cells_before.DepthAt(u, v);
       if (z <= 0 || z_before <= 0) continue;
@@ -52,6 +84,7 @@ void CarryPeople(const CellPeople& before, const CellGrid& cells_before, const c
       if (person == kUnknownCell || !IsPure(before, cells_before, u, v, gap_m)) continue;
       now.person.at(x, y) = person;
       now.evidence.at(x, y) = before.evidence.at(u, v);
+      now.place.at(x, y) = place;
     }
   }
 }

@@ -21,13 +21,17 @@ struct CellPeople {
   Grid<CellPerson> person;  ///< number of a tracked person, or one of the constants above
   /// -1 (surely background) to 1 (surely that person): what keypoints said of the cell, smoothed.
   Grid<float> evidence;
+  /// Where in the cell this is known of, cells from its centre: motion of less than a cell adds up.
+  Grid<cv::Vec2f> place;
 
   /// Nothing is known of any cell.
   void Forget(cv::Size size) {
     person.Resize(size.width, size.height);
     evidence.Resize(size.width, size.height);
+    place.Resize(size.width, size.height);
     person.Fill(kUnknownCell);
     evidence.Fill(0);
+    place.Fill(cv::Vec2f(0, 0));
   }
 };
 
@@ -39,7 +43,8 @@ struct CarryConfig {
   /// small, so that their neighbours on the same surface decide.
   double radius_m = 4.0;
   double source_weight = 0.1;
-  double layer_gap_m = 0.10;  ///< neighbours this far apart in depth are of different surfaces
+  double colour_weight = 0.1;  ///< of one nat that colours of people tell of them
+  double layer_gap_m = 0.10;   ///< neighbours this far apart in depth are of different surfaces
 };
 
 template <class V>
@@ -49,6 +54,7 @@ void Describe(V& v, CarryConfig& c) {
   v.Field("depth_speed_m_s", c.depth_speed_m_s, 0.0, 20.0);
   v.Field("radius_m", c.radius_m, 0.02, 10.0);
   v.Field("source_weight", c.source_weight, 0.0, 100.0);
+  v.Field("colour_weight", c.colour_weight, 0.0, 100.0);
   v.Field("layer_gap_m", c.layer_gap_m, 0.01, 1.0);
 }
 

@@ -198,7 +198,8 @@ CellSeeds HumanRemover::State::SeedsOf(const CellPeople& people, CellPerson pers
       const CellPerson who = people.person.at(x, y);
       const bool is_sure = people.evidence.at(x, y) >= kFirstEvidence;
       if (who == person && is_sure) cells.person.at<std::uint8_t>(y, x) = 255;
-      if (who == kNobody) cells.background.at<std::uint8_t>(y, x) = 255;
+      if (who == kNobody && !IsWeakBackground(people, x, y))
+        cells.background.at<std::uint8_t>(y, x) = 255;
     }
   }
   return cells;
@@ -210,6 +211,7 @@ void HumanRemover::State::CutCarried(PastFrame& entry, double time_s, bool by_ke
   request.gravity = entry.gravity;
   request.known_people = known_people;
   request.planes = &entry.planes;
+  request.people_colours = &people_colours;
   carried.clear();
   const std::vector<int> cells = CountCells(entry.people);
   for (int number = kNobody + 1; number <= kMaxPersonNumber; ++number) {

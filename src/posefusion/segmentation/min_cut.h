@@ -9,6 +9,7 @@
 
 #include "posefusion/image/grid.h"
 #include "posefusion/segmentation/cell_grid.h"
+#include "posefusion/segmentation/people_colours.h"
 #include "posefusion/segmentation/seed_distance.h"
 #include "posefusion/segmentation/unseen_part.h"
 
@@ -95,6 +96,8 @@ struct CutProblem {
   std::optional<Eigen::Vector3f> gravity;  ///< unit vector downwards, camera frame
   double radius_m = 0;                     ///< r of equation 3
   double source_weight = 0;                ///< cost of calling a free cell background
+  const PeopleColours* people_colours = nullptr;  ///< beside equation 3 (`grid`); null: not used
+  double colour_weight = 0;  ///< cost of one nat of their log ratio (own extension)
 };
 
 /// Divides the cells of a region into person and background at least cost:

@@ -103,13 +103,22 @@ float MinCutGrid::PenaltyAt(const CutProblem& problem, const SeedDistance& dista
   return std::min(penalty, static_cast<float>(limit)) + beyond_m / radius;
 }
 
+/// What the colour of a cell speaks for somebody, against the background.
+float MinCutGrid::ColourGain(const CutProblem& problem, const cv::Point& cell) {
+  if (problem.people_colours == nullptr || problem.colours.empty()) return 0;
+  return static_cast<float>(problem.colour_weight) *
+         problem.people_colours->LogRatio(problem.colours.at<cv::Vec3b>(cell));
+}
+
 /// What it costs to call a free cell background, and person.
 MinCutGrid::CellCosts MinCutGrid::CostsOf(const CutProblem& problem, const SeedDistance& distance,
                                           std::size_t i, const Eigen::Vector3f& p) const {
-  if (problem.log_odds == nullptr) {
-    return {static_cast<float>(problem.source_weight), PenaltyAt(problem, distance, points_[i], p)};
-  }
   const cv::Point cell = problem.region.tl() + places_[i];
+  if (problem.log_odds == nullptr) {
+    const float gain = ColourGain(problem, cell);
+    return {static_cast<float>(problem.source_weight) + std::max(gain, 0.0F),
+            PenaltyAt(problem, distance, points_[i], p) + std::max(-gain, 0.0F)};
+  }
   const float gain =
       static_cast<float>(config_.log_odds_weight) *
       (problem.log_odds->at(cell.x, cell.y) + static_cast<float>(config_.log_odds_offset));

@@ -30,6 +30,7 @@ class MinCutGrid : public MinCut {
   };
   CellCosts CostsOf(const CutProblem& problem, const SeedDistance& distance, std::size_t i,
                     const Eigen::Vector3f& p) const;
+  static float ColourGain(const CutProblem& problem, const cv::Point& cell);
   float ColourShare(const CutProblem& problem, const cv::Point& a, const cv::Point& b) const;
 
   const MinCutConfig config_;

@@ -6,6 +6,7 @@ namespace posefusion {
 
 MotionField::MotionField()
     : flow_(cv::DISOpticalFlow::create(cv::DISOpticalFlow::PRESET_ULTRAFAST)) {
+  flow_->setFinestScale(0);  // the images are small already, and arms are thin
   // Propagation goes through stripes of the image whose number depends on the number of threads.
   flow_->setUseSpatialPropagation(false);
 }

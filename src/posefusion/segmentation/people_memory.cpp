@@ -10,8 +10,6 @@ namespace {
 constexpr double kSharedOfCut = 0.25;
 /// ... or holds this much of them.
 constexpr double kSharedOfPerson = 0.5;
-/// Evidence for a cell that only its neighbours speak for.
-constexpr float kWeakEvidence = 0.1F;
 
 constexpr std::size_t kNumNumbers = 256;
 
@@ -37,7 +35,7 @@ CellPerson KnownPersonIn(const cv::Mat& cut, int cut_size, const CellPeople& peo
   return is_known ? static_cast<CellPerson>(number) : kNobody;
 }
 
-bool IsWeak(const CellPeople& people, int x, int y) {
+bool IsWeakPerson(const CellPeople& people, int x, int y) {
   return IsPerson(people.person.at(x, y)) && people.evidence.at(x, y) < kFirstEvidence;
 }
 
@@ -107,7 +105,11 @@ void UpdatePeople(const KeypointCuts* seen, const std::vector<PersonCut>& carrie
       return;
     }
     const PersonCut* by_keypoints = seen != nullptr ? CutAt(seen->cuts, x, y) : nullptr;
-    if (IsWeak(people, x, y) && by_keypoints == nullptr && IsCarried(carried, person)) {
+    if (IsWeakPerson(people, x, y) && by_keypoints == nullptr && IsCarried(carried, person)) {
+      person = kUnknownCell;
+    }
+    if (IsWeakBackground(people, x, y) &&
+        (by_keypoints != nullptr || CutAt(carried, x, y) != nullptr)) {
       person = kUnknownCell;
     }
     if (person == kUnknownCell) {
@@ -127,6 +129,10 @@ void UpdatePeople(const KeypointCuts* seen, const std::vector<PersonCut>& carrie
   });
 }
 
+bool IsWeakBackground(const CellPeople& people, int x, int y) {
+  return people.person.at(x, y) == kNobody && people.evidence.at(x, y) >= -kWeakEvidence;
+}
+
 void ReleasePeople(const PersonTracks& tracks, CellPeople& people) {
   ForEachCell(people, [&](int x, int y) {
     CellPerson& person = people.person.at(x, y);
@@ -143,7 +149,7 @@ std::vector<int> CountCells(const CellPeople& people) {
 void MarkKnown(const CellPeople& people, cv::Mat& mask) {
   mask.create(people.person.height(), people.person.width(), CV_8UC1);
   ForEachCell(people, [&](int x, int y) {
-    const bool is_known = IsPerson(people.person.at(x, y)) && !IsWeak(people, x, y);
+    const bool is_known = IsPerson(people.person.at(x, y)) && !IsWeakPerson(people, x, y);
     mask.at<std::uint8_t>(y, x) = is_known ? 255 : 0;
   });
 }

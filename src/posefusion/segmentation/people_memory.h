@@ -11,6 +11,9 @@ namespace posefusion {
 /// Cells of somebody with less evidence are decided anew where no keypoints cover the person.
 constexpr float kFirstEvidence = 0.3F;
 
+/// Evidence for or against a cell on which no keypoints have spoken yet, only its neighbours.
+constexpr float kWeakEvidence = 0.1F;
+
 /// Cells that a cut gave to one person.
 struct PersonCut {
   CellPerson owner = kNobody;
@@ -51,6 +54,9 @@ void UpdatePeople(const KeypointCuts* seen, const std::vector<PersonCut>& carrie
                   CellPeople& people);
 
 /// Cells of people who are not believed in any more become unknown.
+/// Whether a cell is taken for background only because its neighbours are.
+bool IsWeakBackground(const CellPeople& people, int x, int y);
+
 void ReleasePeople(const PersonTracks& tracks, CellPeople& people);
 
 /// Number of cells of everybody, by person.

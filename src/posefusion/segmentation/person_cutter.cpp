@@ -39,7 +39,8 @@ struct PersonCutter::Parts {
   std::vector<PersonSeeds> carried;  ///< of the cell seeds
   Grid<std::uint8_t> background;     ///< cells on surfaces that are no person's
   CellFeatureReader features;
-  Grid<float> log_odds;  ///< of the cells, nats
+  Grid<float> log_odds;                           ///< of the cells, nats
+  const PeopleColours* people_colours = nullptr;  ///< null: not known
   CutProblem problem;
   cv::Mat cut;
   cv::Mat seeded;                ///< cells of the cut that are connected with certain ones
@@ -137,6 +138,7 @@ struct PersonCutter::Parts {
     OpenRegion(region);
     problem.radius_m = config.min_cut.radius_m;
     problem.source_weight = config.min_cut.source_weight;
+    problem.people_colours = nullptr;
     problem.seeds.clear();
     for (const Seed& seed : kept.seeds) {
       problem.seeds.push_back(seed.OnBody());
@@ -155,6 +157,8 @@ struct PersonCutter::Parts {
     if (!OpenProblem(person, camera)) return;
     problem.radius_m = config.carry.radius_m;
     problem.source_weight = config.carry.source_weight;
+    problem.people_colours = people_colours;
+    problem.colour_weight = config.carry.colour_weight;
     FixCells(seeds);
     Solve();
   }
@@ -271,6 +275,7 @@ void PersonCutter::CutCells(const RgbdFrame& frame, const CutRequest& request) {
   p.cell_mask.create(p.cells.size(), CV_8UC1);
   p.cell_mask.setTo(0);
   p.problem.gravity = request.gravity;
+  p.people_colours = request.people_colours;
   p.people.clear();
   std::size_t num_cuts = 0;
   p.carried.clear();
