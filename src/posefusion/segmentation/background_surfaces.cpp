@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace posefusion {
 namespace {
@@ -15,6 +16,7 @@ constexpr std::uint8_t kFarFromSeeds = 2;
 constexpr int kSparse = 2;              ///< of so many cells in each direction one is looked at
 constexpr int kNormalReach = 2;         ///< cells
 constexpr int kReachCells = 10;         ///< a plane is made of cells so close together
+constexpr std::size_t kLanes = 4;       ///< samples are looked at so many at once
 constexpr int kScoreSamples = 400;      ///< points that a tried plane is scored with
 constexpr std::size_t kMinPoints = 50;  ///< of a plane
 /// From frame to frame a plane moves by no more, metres and cosine of the turn.
@@ -159,14 +161,36 @@ bool BackgroundSurfaces::PlaneAround(const CellGrid& cells, int candidate, Plane
   return true;
 }
 
+void BackgroundSurfaces::CollectSamples() {
+  const auto clear = [](std::vector<float>& values) { values.clear(); };
+  std::for_each(samples_.point.begin(), samples_.point.end(), clear);
+  std::for_each(samples_.normal.begin(), samples_.normal.end(), clear);
+  samples_.tolerance.clear();
+  const auto add = [&](const Eigen::Vector3f& point, const Eigen::Vector3f& normal) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      samples_.point[axis].push_back(point[static_cast<int>(axis)]);
+      samples_.normal[axis].push_back(normal[static_cast<int>(axis)]);
+    }
+    samples_.tolerance.push_back(static_cast<float>(config_.distance_sigmas) *
+                                 DepthSigma(noise_, point.z()) / point.z());
+  };
+  const std::size_t step = std::max<std::size_t>(1, points_.size() / kScoreSamples);
+  for (std::size_t i = 0; i < points_.size(); i += step) {
+    add(points_.points[i], NormalOf(points_, i));
+  }
+  while (samples_.tolerance.size() % kLanes != 0) {
+    add(Eigen::Vector3f::UnitZ(), Eigen::Vector3f::Zero());  // on no plane
+  }
+}
+
 Plane BackgroundSurfaces::BestPlane(const CellGrid& cells) {
   Plane best;
   float best_score = 0;
-  const std::size_t step = std::max<std::size_t>(1, points_.size() / kScoreSamples);
+  CollectSamples();
   for (int i = 0; i < config_.num_samples; ++i) {
     Plane plane;
     if (!PlaneAround(cells, Random(static_cast<int>(points_.size())), plane)) continue;
-    const float score = ScoreOf(plane, step);
+    const float score = ScoreOf(plane);
     if (score > best_score) {
       best_score = score;
       best = plane;
@@ -176,13 +200,26 @@ Plane BackgroundSurfaces::BestPlane(const CellGrid& cells) {
 }
 
 /// Grows with the area on the plane: a cell covers more where it is farther.
-float BackgroundSurfaces::ScoreOf(const Plane& plane, std::size_t step) const {
-  float score = 0;
-  for (std::size_t i = 0; i < points_.size(); i += step) {
-    if (IsOn(plane, points_.points[i], NormalOf(points_, i)))
-      score += points_.points[i].z() * points_.points[i].z();
+float BackgroundSurfaces::ScoreOf(const Plane& plane) const {
+  const auto along = [&](const std::array<std::vector<float>, 3>& vectors, std::size_t i) {
+    return plane.normal.x() * vectors[0][i] + plane.normal.y() * vectors[1][i] +
+           plane.normal.z() * vectors[2][i];
+  };
+  const auto least = static_cast<float>(config_.distance_m);
+  std::array<float, kLanes> scores{};
+  for (std::size_t i = 0; i < samples_.tolerance.size(); i += kLanes) {
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      const float cosine = std::abs(along(samples_.normal, i + l));
+      const float along_normal = along(samples_.point, i + l);
+      const float noise = samples_.tolerance[i + l] * std::abs(along_normal);
+      const float tolerance = noise > least ? noise : least;
+      const float distance = std::abs(along_normal + plane.offset_m);
+      const float z = samples_.point[2][i + l];
+      const float area = cosine >= min_cosine_ ? z * z : 0;
+      scores[l] += distance < tolerance ? area : 0;
+    }
   }
-  return score;
+  return std::accumulate(scores.begin(), scores.end(), 0.0F);
 }
 
 /// Area of the candidates on the plane, m^2; 0 when they are too few.

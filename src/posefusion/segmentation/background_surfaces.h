@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <opencv2/core/types.hpp>
 #include <vector>
@@ -42,12 +43,20 @@ class BackgroundSurfaces {
     std::vector<cv::Point> places;        ///< cells of the same
   };
 
+  /// Some of the points, to score tried planes with.
+  struct Samples {
+    std::array<std::vector<float>, 3> point;   ///< camera frame, by axis
+    std::array<std::vector<float>, 3> normal;  ///< by axis
+    std::vector<float> tolerance;              ///< per metre of the plane's distance
+  };
+
   void ComputeNormals(const CellGrid& cells);
   void CollectCandidates(const CellGrid& cells, const std::vector<BodyPoint>& seeds,
                          const cv::Mat& known_people);
   Plane BestPlane(const CellGrid& cells);
   bool PlaneAround(const CellGrid& cells, int candidate, Plane& plane);
-  float ScoreOf(const Plane& plane, std::size_t step) const;
+  void CollectSamples();
+  float ScoreOf(const Plane& plane) const;
   double AreaOn(const Plane& plane, double cell_size_at_1m) const;
   void Refit(const Points& points, float slack_m, Plane& plane) const;
   bool IsOn(const Plane& plane, const Eigen::Vector3f& point, const Eigen::Vector3f& normal,
@@ -68,6 +77,7 @@ class BackgroundSurfaces {
   const DepthNoiseConfig noise_;
   std::uint64_t random_state_ = 0;
   Points points_;                  ///< of cells far from every seed and on no plane yet
+  Samples samples_;                ///< of points_
   Points all_points_;              ///< of all cells that are looked at
   Grid<Eigen::Vector3f> normals_;  ///< of all cells; zero where there is none
   std::vector<cv::Point> front_;   ///< cells that a plane has spread to

@@ -7,7 +7,7 @@
 namespace posefusion {
 namespace {
 
-constexpr std::size_t kTreesBetweenLooks = 8;
+constexpr std::size_t kTreesBetweenLooks = 4;
 
 }  // namespace
 

@@ -14,6 +14,9 @@ constexpr float kPieceGap = 0.08F;  ///< metres of depth between cells of differ
 constexpr float kThinShare = 0.6F;  ///< of r, below which a limb is thin
 constexpr float kNotYet = std::numeric_limits<float>::infinity();
 
+constexpr std::size_t kLanes = 4;  ///< seeds are looked at so many at once
+using Lanes = std::array<float, kLanes>;
+
 bool Found(const PersonSeeds& person, CocoJoint joint) { return person.found[joint]; }
 
 }  // namespace
@@ -24,7 +27,7 @@ bool IsOnSurface(const Seed& seed, const CellGrid& cells, const Grid<std::uint8_
 }
 
 void CellFeatureReader::Seeds::Clear() {
-  for (auto* values : {&x, &y, &z, &share}) values->clear();
+  for (auto* values : {&x, &y, &z, &weight}) values->clear();
   person.clear();
 }
 
@@ -32,8 +35,13 @@ void CellFeatureReader::Seeds::Add(const Seed& seed, std::size_t number) {
   x.push_back(seed.p_camera.x());
   y.push_back(seed.p_camera.y());
   z.push_back(seed.p_camera.z());
-  share.push_back(seed.radius_share);
+  weight.push_back(1 / (seed.radius_share * seed.radius_share));
   person.push_back(number);
+}
+
+/// Adds places that are near nothing.
+void CellFeatureReader::Seeds::FillLanes() {
+  while (size() % kLanes != 0) Add({{}, {0, 0, 2 * kFar}, 1}, 0);
 }
 
 void CellFeatureReader::Open(const CellScene& scene) {
@@ -58,6 +66,7 @@ void CellFeatureReader::CollectSeeds(const CellScene& scene) {
       max_depth_m_ = std::max(max_depth_m_, seed.p_camera.z());
     }
   }
+  for (Seeds& seeds : seeds_) seeds.FillLanes();
 }
 
 /// Area of every connected piece of what lies on no plane.
@@ -126,26 +135,34 @@ bool CellFeatureReader::Read(const cv::Point& cell, CellFeatures& features) {
 }
 
 void CellFeatureReader::ReadDistances(const Eigen::Vector3f& p, CellFeatures& features,
-                                      Nearest& nearest) const {
+                                      Nearest& nearest) {
   constexpr CellFeature kFeatureOf[] = {kThickDistance, kMediumDistance, kThinDistance};
   nearest.squared = kFar * kFar;
   float shared = kFar * kFar;
   for (int thickness = 0; thickness < kNumThicknesses; ++thickness) {
     const Seeds& seeds = seeds_[static_cast<std::size_t>(thickness)];
-    float best = kFar * kFar;
-    std::size_t best_index = 0;
-    for (std::size_t i = 0; i < seeds.size(); ++i) {
-      const float dx = seeds.x[i] - p.x();
-      const float dy = seeds.y[i] - p.y();
-      const float dz = seeds.z[i] - p.z();
-      const float squared = dx * dx + dy * dy + dz * dz;
-      shared = std::min(shared, squared / (seeds.share[i] * seeds.share[i]));
-      if (squared >= best) continue;
-      best = squared;
-      best_index = i;
+    squared_.resize(seeds.size());
+    Lanes least, least_in_share;
+    least.fill(kFar * kFar);
+    least_in_share.fill(kFar * kFar);
+    for (std::size_t i = 0; i < seeds.size(); i += kLanes) {
+      for (std::size_t l = 0; l < kLanes; ++l) {
+        const float dx = seeds.x[i + l] - p.x();
+        const float dy = seeds.y[i + l] - p.y();
+        const float dz = seeds.z[i + l] - p.z();
+        const float squared = dx * dx + dy * dy + dz * dz;
+        const float in_share = squared * seeds.weight[i + l];
+        squared_[i + l] = squared;
+        least[l] = squared < least[l] ? squared : least[l];
+        least_in_share[l] = in_share < least_in_share[l] ? in_share : least_in_share[l];
+      }
     }
+    const float best = *std::min_element(least.begin(), least.end());
+    shared = std::min(shared, *std::min_element(least_in_share.begin(), least_in_share.end()));
     features[kFeatureOf[thickness]] = std::sqrt(best);
-    if (best < nearest.squared) nearest = {best, &seeds, best_index};
+    if (best >= nearest.squared) continue;
+    const auto index = std::find(squared_.begin(), squared_.end(), best) - squared_.begin();
+    nearest = {best, &seeds, static_cast<std::size_t>(index)};
   }
   features[kSeedDistanceShared] = std::sqrt(shared);
 }

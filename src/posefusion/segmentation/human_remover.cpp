@@ -144,6 +144,7 @@ void HumanRemover::State::CutSkeletons(PastFrame& entry, const Skeletons& skelet
                                        double time_s) {
   CutRequest request;
   request.skeletons = &skeletons;
+  request.cells = &entry.cells;
   request.on_cell = on_cell;
   request.known_people = known_people;
   request.planes = &entry.planes;
@@ -208,6 +209,7 @@ CellSeeds HumanRemover::State::SeedsOf(const CellPeople& people, CellPerson pers
 /// People whom keypoints of this very frame do not show are cut by what was carried of them.
 void HumanRemover::State::CutCarried(PastFrame& entry, double time_s, bool by_keypoints) {
   CutRequest request;
+  request.cells = &entry.cells;
   request.gravity = entry.gravity;
   request.known_people = known_people;
   request.planes = &entry.planes;

@@ -38,6 +38,7 @@ struct MinCutConfig {
   DataTerm data_term = DataTerm::kLearned;  ///< of people with keypoints; `pcl` has the penalty
   double log_odds_weight = 0.3;             ///< learned: of equation 2's unit, for each nat ...
   double log_odds_offset = 1.3;  ///< ... above minus this: to miss somebody is worse than a hole
+  double penalty_weight = 0.5;   ///< learned: share of equation 3 beside it
   double radius_m = 0.20;        ///< r of equation 3: what is this far from all seeds costs 1
   double sigma_m = 0.25;         ///< sigma of equation 2
   double source_weight = 0.8;    ///< cost of calling a point background (PCL's default)
@@ -63,6 +64,7 @@ void Describe(V& v, MinCutConfig& c) {
   v.Choice("data_term", c.data_term, {"penalty", "learned"});
   v.Field("log_odds_weight", c.log_odds_weight, 0.0, 100.0);
   v.Field("log_odds_offset", c.log_odds_offset, -100.0, 100.0);
+  v.Field("penalty_weight", c.penalty_weight, 0.0, 100.0);
   v.Choice("penalty_distance", c.penalty_distance, {"plane", "space"});
   v.Field("max_penalty", c.max_penalty, 0.1, 1000.0);
   v.Field("unseen_penalty", c.unseen_penalty, 0.1, 1000.0);
@@ -87,8 +89,10 @@ enum class CellState : std::uint8_t {
 /// One person to be cut out of a region of the cells.
 struct CutProblem {
   const CellGrid* cells = nullptr;
-  cv::Mat colours;                         ///< CV_8UC3 of the cells; empty: not used (`grid`)
-  const Grid<float>* log_odds = nullptr;   ///< of all cells, nats; null: equation 3 (`grid`)
+  cv::Mat colours;  ///< CV_8UC3 of the cells; empty: not used (`grid`)
+  /// What it costs more to call a cell background than person, of all cells; null: equation 3
+  /// (`grid`).
+  const Grid<float>* gains = nullptr;
   cv::Rect region;                         ///< of the cells; not empty
   Grid<CellState> states;                  ///< of the region
   std::vector<BodyPoint> seeds;            ///< foreground points

@@ -114,14 +114,12 @@ float MinCutGrid::ColourGain(const CutProblem& problem, const cv::Point& cell) {
 MinCutGrid::CellCosts MinCutGrid::CostsOf(const CutProblem& problem, const SeedDistance& distance,
                                           std::size_t i, const Eigen::Vector3f& p) const {
   const cv::Point cell = problem.region.tl() + places_[i];
-  if (problem.log_odds == nullptr) {
+  if (problem.gains == nullptr) {
     const float gain = ColourGain(problem, cell);
     return {static_cast<float>(problem.source_weight) + std::max(gain, 0.0F),
             PenaltyAt(problem, distance, points_[i], p) + std::max(-gain, 0.0F)};
   }
-  const float gain =
-      static_cast<float>(config_.log_odds_weight) *
-      (problem.log_odds->at(cell.x, cell.y) + static_cast<float>(config_.log_odds_offset));
+  const float gain = problem.gains->at(cell.x, cell.y);
   return {std::max(gain, 0.0F), std::max(-gain, 0.0F)};
 }
 

@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t kMinSeeds = 2;        ///< of one person without a certain joint
 constexpr float kSeedDepth = 0.05F;         ///< metres from the cell that shows a seed
 constexpr float kMaxLogOdds = 5;            ///< nats: more is certain enough
+constexpr float kCertainGain = 2;           ///< out of everybody's reach
 constexpr std::size_t kMaxCellSeeds = 150;  ///< points that stand for certain cells
 
 const HumanRemovalConfig& Checked(const HumanRemovalConfig& config) {
@@ -39,7 +40,7 @@ struct PersonCutter::Parts {
   std::vector<PersonSeeds> carried;  ///< of the cell seeds
   Grid<std::uint8_t> background;     ///< cells on surfaces that are no person's
   CellFeatureReader features;
-  Grid<float> log_odds;                           ///< of the cells, nats
+  Grid<float> gains;                              ///< CutProblem::gains
   const PeopleColours* people_colours = nullptr;  ///< null: not known
   CutProblem problem;
   cv::Mat cut;
@@ -67,7 +68,7 @@ struct PersonCutter::Parts {
         const float z = cells.DepthAt(region.cells.x + x, region.cells.y + y);
         const bool in_range = z > 0 && z >= region.min_depth_m && z <= region.max_depth_m;
         const bool on_surface = background.at(region.cells.x + x, region.cells.y + y) != 0;
-        const bool is_certain = on_surface && problem.log_odds == nullptr;
+        const bool is_certain = on_surface && problem.gains == nullptr;
         problem.states.at(x, y) = !in_range    ? CellState::kOutside
                                   : is_certain ? CellState::kSurface
                                                : CellState::kFree;
@@ -118,7 +119,7 @@ struct PersonCutter::Parts {
 
   void Solve() {
     min_cut->Solve(problem, cut);
-    if (problem.log_odds == nullptr) KeepSeededParts();
+    if (problem.gains == nullptr) KeepSeededParts();
     cv::Mat part = cell_mask(problem.region);
     cv::bitwise_or(part, cut, part);
     cut.copyTo(cuts[current_cut](problem.region));
@@ -176,6 +177,7 @@ struct PersonCutter::Parts {
     surfaces.Find(cells, seeds, known_people, planes != nullptr ? *planes : none, background);
   }
 
+  float GainOf(const CellFeatures& features) const;
   void ScoreCells(const CutRequest& request, const CameraModel& camera);
   cv::Rect PeoplesRegion(const CameraModel& camera) const;
   PersonSeeds SeedsOf(const CellSeeds& seeds) const;
@@ -192,10 +194,25 @@ cv::Rect PersonCutter::Parts::PeoplesRegion(const CameraModel& camera) const {
   return all;
 }
 
+/// The learned data term of a cell, with its share of equation 3.
+float PersonCutter::Parts::GainOf(const CellFeatures& f) const {
+  const MinCutConfig& c = config.min_cut;
+  const float log_odds = PersonTrees().Evaluate(f.data(), kMaxLogOdds);
+  const auto radius_m = static_cast<float>(c.radius_m);
+  const auto limit = static_cast<float>(f[kLeavesImage] > 0 ? c.unseen_penalty : c.max_penalty);
+  const float beyond_m =
+      std::min(f[kSeedDistance] - static_cast<float>(c.reach_m), -f[kInUnseenPart]);
+  const float penalty =
+      std::min(f[kSeedDistanceShared] / radius_m, limit) + std::max(beyond_m, 0.0F) / radius_m;
+  return static_cast<float>(c.log_odds_weight) *
+             (log_odds + static_cast<float>(c.log_odds_offset)) +
+         static_cast<float>(c.penalty_weight) * (static_cast<float>(c.source_weight) - penalty);
+}
+
 /// The learned data term of the cells that matter.
 void PersonCutter::Parts::ScoreCells(const CutRequest& request, const CameraModel& camera) {
-  log_odds.Resize(cells.width(), cells.height());
-  log_odds.Fill(-kMaxLogOdds);
+  gains.Resize(cells.width(), cells.height());
+  gains.Fill(-kCertainGain);
   const CellScene scene{cells, problem.colours, background, people, request.people_colours};
   features.Open(scene);
   CellFeatures read;
@@ -204,7 +221,7 @@ void PersonCutter::Parts::ScoreCells(const CutRequest& request, const CameraMode
     for (int x = region.x; x < region.x + region.width; ++x) {
       if (!features.Read({x, y}, read)) continue;
       if (request.on_cell) request.on_cell({x, y}, read);
-      log_odds.at(x, y) = PersonTrees().Evaluate(read.data(), kMaxLogOdds);
+      gains.at(x, y) = GainOf(read);
     }
   }
 }
@@ -270,7 +287,11 @@ void PersonCutter::Refine(const RgbdFrame& frame, const cv::Mat& cell_mask, cv::
 
 void PersonCutter::CutCells(const RgbdFrame& frame, const CutRequest& request) {
   Parts& p = *parts_;
-  p.cells.Build(frame.depth_m, frame.camera);
+  if (request.cells != nullptr) {
+    p.cells = *request.cells;
+  } else {
+    p.cells.Build(frame.depth_m, frame.camera);
+  }
   cv::resize(frame.rgb, p.problem.colours, p.cells.size(), 0, 0, cv::INTER_AREA);
   p.cell_mask.create(p.cells.size(), CV_8UC1);
   p.cell_mask.setTo(0);
@@ -289,12 +310,12 @@ void PersonCutter::CutCells(const RgbdFrame& frame, const CutRequest& request) {
   const bool is_learned = p.config.min_cut.backend == MinCutBackend::kGrid &&
                           p.config.min_cut.data_term == DataTerm::kLearned;
   if ((is_learned || request.on_cell) && !p.people.empty()) p.ScoreCells(request, frame.camera);
-  if (is_learned && !p.people.empty()) p.problem.log_odds = &p.log_odds;
+  if (is_learned && !p.people.empty()) p.problem.gains = &p.gains;
   for (const PersonSeeds& person : p.people) {
     p.BeginCut(num_cuts++);
     p.CutPerson(person, frame.camera);
   }
-  p.problem.log_odds = nullptr;
+  p.problem.gains = nullptr;
   for (std::size_t i = 0; i < p.carried.size(); ++i) {
     p.BeginCut(num_cuts++);
     p.CutCells(request.cell_seeds[i], p.carried[i], frame.camera);

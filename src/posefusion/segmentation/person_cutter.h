@@ -22,6 +22,7 @@ struct CellSeeds {
 /// What is to be cut out of a frame.
 struct CutRequest {
   const Skeletons* skeletons = nullptr;  ///< of this very frame; none when null
+  const CellGrid* cells = nullptr;       ///< of the frame, where they are known; null: built
   std::vector<CellSeeds> cell_seeds;     ///< each is one cut of its own: one per carried person
   cv::Mat
       known_people;  ///< CV_8UC1 cells: not 0 = person by what is known; no plane is found there

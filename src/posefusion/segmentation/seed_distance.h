@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -21,6 +22,9 @@ class SeedDistance {
       y_.push_back(seed.p_camera.y());
       z_.push_back(seed.p_camera.z());
       weight_.push_back(1 / (seed.radius_share * seed.radius_share));
+      low_ = low_.cwiseMin(seed.p_camera);
+      high_ = high_.cwiseMax(seed.p_camera);
+      max_share_ = std::max(max_share_, seed.radius_share);
     }
   }
 
@@ -46,6 +50,8 @@ class SeedDistance {
   }
 
   bool IsWithinShare(const Eigen::Vector3f& point, float distance_m) const {
+    const float reach_m = distance_m * max_share_;
+    if ((point - low_).minCoeff() < -reach_m || (point - high_).maxCoeff() > reach_m) return false;
     return To(point).in_shares < distance_m * distance_m;
   }
 
@@ -54,6 +60,9 @@ class SeedDistance {
   std::vector<float> y_;
   std::vector<float> z_;
   std::vector<float> weight_;
+  Eigen::Vector3f low_ = Eigen::Vector3f::Constant(std::numeric_limits<float>::infinity());
+  Eigen::Vector3f high_ = -low_;  ///< corners of the box around all of them
+  float max_share_ = 0;
 };
 
 }  // namespace posefusion
