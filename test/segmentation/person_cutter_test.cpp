@@ -143,6 +143,24 @@ INSTANTIATE_TEST_SUITE_P(Backends, PersonCutterTest,
                            return std::string(info.param == MinCutBackend::kPcl ? "Pcl" : "Grid");
                          });
 
+/// Where the trees are made to deny everybody, equation 3 finds them by its share.
+TEST(PersonCutter, GivesEquation3ItsShareOfTheLearnedDataTerm) {
+  SyntheticScene scene;
+  HumanRemovalConfig config;
+  config.min_cut.log_odds_offset = -10;
+  Skeletons skeletons;
+  skeletons.people = {scene.Joints()};
+  const RgbdFrame frame = scene.Render();
+  const auto recall = [&](double penalty_weight) {
+    config.min_cut.penalty_weight = penalty_weight;
+    cv::Mat mask;
+    PersonCutter(config).Cut(frame, skeletons, mask);
+    return ScoreMask(scene.TrueMask(), mask, frame.depth_m, nullptr, {}).counts.Recall();
+  };
+  EXPECT_LT(recall(0), 0.5);
+  EXPECT_GT(recall(100), 0.85) << "edges weigh nothing beside it";
+}
+
 TEST(PersonCutter, RefusesValuesOutOfRangeByName) {
   HumanRemovalConfig config;
   config.min_cut.radius_m = -1;

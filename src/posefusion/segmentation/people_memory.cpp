@@ -82,6 +82,10 @@ const PersonCut* CutAt(const std::vector<PersonCut>& cuts, int x, int y) {
 
 }  // namespace
 
+bool IsWeakBackground(const CellPeople& people, int x, int y) {
+  return people.person.at(x, y) == kNobody && people.evidence.at(x, y) >= -kWeakEvidence;
+}
+
 void RecognisePeople(const CellPeople& people, double time_s, PersonTracks& tracks,
                      std::vector<PersonCut>& cuts) {
   const std::vector<int> known = CountCells(people);
@@ -127,10 +131,6 @@ void UpdatePeople(const KeypointCuts* seen, const std::vector<PersonCut>& carrie
       if (evidence <= 0) person = kNobody;
     }
   });
-}
-
-bool IsWeakBackground(const CellPeople& people, int x, int y) {
-  return people.person.at(x, y) == kNobody && people.evidence.at(x, y) >= -kWeakEvidence;
 }
 
 void ReleasePeople(const PersonTracks& tracks, CellPeople& people) {

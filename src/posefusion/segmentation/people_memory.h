@@ -37,6 +37,9 @@ struct KeypointCuts {
   cv::Mat surfaces;    ///< not 0: on a large plane
 };
 
+/// Whether a cell is taken for background only because its neighbours are.
+bool IsWeakBackground(const CellPeople& people, int x, int y);
+
 /// Who each cut made from keypoints is: the person of `people` that it shares most with, or
 /// somebody new, whom `tracks` then knows. Empty cuts are nobody's. Sets owner and is_new.
 void RecognisePeople(const CellPeople& people, double time_s, PersonTracks& tracks,
@@ -54,9 +57,6 @@ void UpdatePeople(const KeypointCuts* seen, const std::vector<PersonCut>& carrie
                   CellPeople& people);
 
 /// Cells of people who are not believed in any more become unknown.
-/// Whether a cell is taken for background only because its neighbours are.
-bool IsWeakBackground(const CellPeople& people, int x, int y);
-
 void ReleasePeople(const PersonTracks& tracks, CellPeople& people);
 
 /// Number of cells of everybody, by person.
