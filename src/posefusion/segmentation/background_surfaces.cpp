@@ -107,11 +107,7 @@ void BackgroundSurfaces::ComputeNormals(const CellGrid& cells) {
       const float up = cells.DepthAt(x, y - kNormalReach);
       const float down = cells.DepthAt(x, y + kNormalReach);
       if (left <= 0 || right <= 0 || up <= 0 || down <= 0) continue;
-      const Eigen::Vector3f across =
-          cells.PointAt(x + kNormalReach, y) - cells.PointAt(x - kNormalReach, y);
-      const Eigen::Vector3f along =
-          cells.PointAt(x, y + kNormalReach) - cells.PointAt(x, y - kNormalReach);
-      normals_.at(x, y) = across.cross(along).normalized();
+      normals_.at(x, y) = cells.NormalAt(x, y, kNormalReach);
     }
   }
 }

@@ -40,10 +40,6 @@ double SharpnessOf(int gradient) {
   return squared / (squared + kSharpGradient * kSharpGradient);
 }
 
-cv::Point CellAt(const Eigen::Vector2d& place) {
-  return {static_cast<int>(std::lround(place.x())), static_cast<int>(std::lround(place.y()))};
-}
-
 /// Row of the Jacobian for a derivative by the moved point.
 Vector6d ByMotion(const Eigen::Vector3d& by_point, const Eigen::Vector3d& p) {
   Vector6d J;
@@ -61,17 +57,11 @@ std::optional<Eigen::Vector3d> NormalAt(const CellGrid& cells, const cv::Point& 
     const auto other = static_cast<double>(cells.DepthAt(x, y));
     return other > 0 && std::abs(other - z) < kMaxSlope * z;
   };
-  const int left = cell.x - kNormalReach;
-  const int right = cell.x + kNormalReach;
-  const int up = cell.y - kNormalReach;
-  const int down = cell.y + kNormalReach;
-  if (!continues(left, cell.y) || !continues(right, cell.y) || !continues(cell.x, up) ||
-      !continues(cell.x, down)) {
+  if (!continues(cell.x - kNormalReach, cell.y) || !continues(cell.x + kNormalReach, cell.y) ||
+      !continues(cell.x, cell.y - kNormalReach) || !continues(cell.x, cell.y + kNormalReach)) {
     return std::nullopt;
   }
-  const Eigen::Vector3f across = cells.PointAt(right, cell.y) - cells.PointAt(left, cell.y);
-  const Eigen::Vector3f along = cells.PointAt(cell.x, down) - cells.PointAt(cell.x, up);
-  return across.cross(along).normalized().cast<double>();
+  return cells.NormalAt(cell.x, cell.y, kNormalReach).cast<double>();
 }
 
 /// Bilinear value and gradient per cell.
@@ -104,7 +94,6 @@ void CameraMotion::System::Add(const Vector6d& J, double residual, double weight
 
 void CameraMotion::Collect(const CameraMotionTask& task) {
   samples_.clear();
-  const cv::Rect inside({0, 0}, task.now.size());
   for (int y = 1; y < task.now.height() - 1; y += kStep) {
     const auto* moved = task.motion.ptr<cv::Vec2f>(y);
     const auto* grey = task.grey_now.ptr<std::uint8_t>(y);
@@ -112,9 +101,9 @@ void CameraMotion::Collect(const CameraMotionTask& task) {
       if (task.now.DepthAt(x, y) <= 0) continue;
       const Eigen::Vector2d place(x + static_cast<double>(moved[x][0]),
                                   y + static_cast<double>(moved[x][1]));
-      const cv::Point cell = CellAt(place);
-      if (!inside.contains(cell) || task.before.DepthAt(cell.x, cell.y) <= 0) continue;
-      if (IsPerson(task.people_before.person.at(cell.x, cell.y))) continue;
+      const auto cell = task.before.CellNear(place);
+      if (!cell || task.before.DepthAt(cell->x, cell->y) <= 0) continue;
+      if (IsPerson(task.people_before.person.at(cell->x, cell->y))) continue;
       const int down = task.grey_now.at<std::uint8_t>(y + 1, x);
       const int up = task.grey_now.at<std::uint8_t>(y - 1, x);
       samples_.push_back({task.now.PointAt(x, y).cast<double>(),
@@ -193,10 +182,12 @@ void CameraMotion::AddIntensity(const CameraMotionTask& task, const Sample& samp
 }
 
 void CameraMotion::AddSurface(const CameraMotionTask& task, const Moved& moved, System& system) {
-  const cv::Point cell = CellAt(moved.place);
-  const auto normal = NormalAt(task.before, cell);
+  const auto cell = task.before.CellNear(moved.place);
+  if (!cell) return;
+  const auto normal = NormalAt(task.before, *cell);
   if (!normal) return;
-  const double distance = normal->dot(moved.p - task.before.PointAt(cell.x, cell.y).cast<double>());
+  const Eigen::Vector3d on_surface = task.before.PointAt(cell->x, cell->y).cast<double>();
+  const double distance = normal->dot(moved.p - on_surface);
   if (std::abs(distance) > kMaxPlaneDistance) return;
   const double noise = static_cast<double>(DepthSigma({}, static_cast<float>(moved.p.z())));
   const double sigma = std::max(kLeastSurfaceSigma, noise);

@@ -14,9 +14,6 @@ constexpr float kPieceGap = 0.08F;  ///< metres of depth between cells of differ
 constexpr float kThinShare = 0.6F;  ///< of r, below which a limb is thin
 constexpr float kNotYet = std::numeric_limits<float>::infinity();
 
-constexpr std::size_t kLanes = 4;  ///< seeds are looked at so many at once
-using Lanes = std::array<float, kLanes>;
-
 bool Found(const PersonSeeds& person, CocoJoint joint) { return person.found[joint]; }
 
 }  // namespace
@@ -27,21 +24,15 @@ bool IsOnSurface(const Seed& seed, const CellGrid& cells, const Grid<std::uint8_
 }
 
 void CellFeatureReader::Seeds::Clear() {
-  for (auto* values : {&x, &y, &z, &weight}) values->clear();
+  distance.Clear();
+  depth_m.clear();
   person.clear();
 }
 
 void CellFeatureReader::Seeds::Add(const Seed& seed, std::size_t number) {
-  x.push_back(seed.p_camera.x());
-  y.push_back(seed.p_camera.y());
-  z.push_back(seed.p_camera.z());
-  weight.push_back(1 / (seed.radius_share * seed.radius_share));
+  distance.Add(seed.OnBody());
+  depth_m.push_back(seed.p_camera.z());
   person.push_back(number);
-}
-
-/// Adds places that are near nothing.
-void CellFeatureReader::Seeds::FillLanes() {
-  while (size() % kLanes != 0) Add({{}, {0, 0, 2 * kFar}, 1}, 0);
 }
 
 void CellFeatureReader::Open(const CellScene& scene) {
@@ -66,7 +57,6 @@ void CellFeatureReader::CollectSeeds(const CellScene& scene) {
       max_depth_m_ = std::max(max_depth_m_, seed.p_camera.z());
     }
   }
-  for (Seeds& seeds : seeds_) seeds.FillLanes();
 }
 
 /// Area of every connected piece of what lies on no plane.
@@ -119,7 +109,7 @@ bool CellFeatureReader::Read(const cv::Point& cell, CellFeatures& features) {
   ReadDistances(p, features, nearest);
   if (nearest.seeds == nullptr || nearest.squared > kReach * kReach) return false;
   features[kSeedDistance] = std::sqrt(nearest.squared);
-  features[kBehindSeed] = z - nearest.seeds->z[nearest.index];
+  features[kBehindSeed] = z - nearest.seeds->depth_m[nearest.index];
   features[kCellDepth] = z;
   features[kOnSurface] = scene_->surfaces.at(cell.x, cell.y) != 0 ? 1 : 0;
   features[kColourRatio] = 0;
@@ -135,34 +125,17 @@ bool CellFeatureReader::Read(const cv::Point& cell, CellFeatures& features) {
 }
 
 void CellFeatureReader::ReadDistances(const Eigen::Vector3f& p, CellFeatures& features,
-                                      Nearest& nearest) {
+                                      Nearest& nearest) const {
   constexpr CellFeature kFeatureOf[] = {kThickDistance, kMediumDistance, kThinDistance};
   nearest.squared = kFar * kFar;
   float shared = kFar * kFar;
   for (int thickness = 0; thickness < kNumThicknesses; ++thickness) {
     const Seeds& seeds = seeds_[static_cast<std::size_t>(thickness)];
-    squared_.resize(seeds.size());
-    Lanes least, least_in_share;
-    least.fill(kFar * kFar);
-    least_in_share.fill(kFar * kFar);
-    for (std::size_t i = 0; i < seeds.size(); i += kLanes) {
-      for (std::size_t l = 0; l < kLanes; ++l) {
-        const float dx = seeds.x[i + l] - p.x();
-        const float dy = seeds.y[i + l] - p.y();
-        const float dz = seeds.z[i + l] - p.z();
-        const float squared = dx * dx + dy * dy + dz * dz;
-        const float in_share = squared * seeds.weight[i + l];
-        squared_[i + l] = squared;
-        least[l] = squared < least[l] ? squared : least[l];
-        least_in_share[l] = in_share < least_in_share[l] ? in_share : least_in_share[l];
-      }
-    }
-    const float best = *std::min_element(least.begin(), least.end());
-    shared = std::min(shared, *std::min_element(least_in_share.begin(), least_in_share.end()));
+    const SeedDistance::Squares squares = seeds.distance.To(p);
+    const float best = std::min(squares.distance, kFar * kFar);
+    shared = std::min(shared, squares.in_shares);
     features[kFeatureOf[thickness]] = std::sqrt(best);
-    if (best >= nearest.squared) continue;
-    const auto index = std::find(squared_.begin(), squared_.end(), best) - squared_.begin();
-    nearest = {best, &seeds, static_cast<std::size_t>(index)};
+    if (best < nearest.squared) nearest = {best, &seeds, seeds.distance.Nearest(p, best)};
   }
   features[kSeedDistanceShared] = std::sqrt(shared);
 }

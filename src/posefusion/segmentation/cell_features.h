@@ -69,15 +69,13 @@ class CellFeatureReader {
   bool Read(const cv::Point& cell, CellFeatures& features);
 
  private:
-  /// Distances from the seeds of one thickness, squared.
+  /// Seeds of one thickness.
   struct Seeds {
-    std::vector<float> x, y, z;
-    std::vector<float> weight;  ///< 1 / share^2
+    SeedDistance distance;
+    std::vector<float> depth_m;
     std::vector<std::size_t> person;
     void Clear();
     void Add(const Seed& seed, std::size_t number);
-    void FillLanes();
-    std::size_t size() const { return x.size(); }
   };
   enum Thickness { kThick, kMedium, kThin, kNumThicknesses };
   struct Nearest {
@@ -89,13 +87,12 @@ class CellFeatureReader {
   void CollectSeeds(const CellScene& scene);
   void MeasurePieces(const CellScene& scene);
   float FillPiece(const CellScene& scene, const cv::Point& first);
-  void ReadDistances(const Eigen::Vector3f& p, CellFeatures& features, Nearest& nearest);
+  void ReadDistances(const Eigen::Vector3f& p, CellFeatures& features, Nearest& nearest) const;
   void ReadUnseenParts(const Eigen::Vector3f& p, CellFeatures& features) const;
   void ReadPerson(std::size_t number, CellFeatures& features) const;
 
   const CellScene* scene_ = nullptr;
   std::array<Seeds, kNumThicknesses> seeds_;
-  std::vector<float> squared_;  ///< distances of one cell from the seeds of one thickness
   float min_depth_m_ = 0;
   float max_depth_m_ = 0;
   Grid<float> piece_area_;  ///< ln(m^2)

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cmath>
 #include <opencv2/core/mat.hpp>
 #include <optional>
 
@@ -53,6 +54,14 @@ class CellGrid {
     return (pixel.array() + 0.5) / size_px_ - 0.5;
   }
 
+  /// The cell whose centre is nearest to a place, in cells; none outside the grid.
+  std::optional<cv::Point> CellNear(const Eigen::Vector2d& place) const {
+    const cv::Point cell(static_cast<int>(std::lround(place.x())),
+                         static_cast<int>(std::lround(place.y())));
+    if (!cv::Rect({0, 0}, size()).contains(cell)) return std::nullopt;
+    return cell;
+  }
+
   /// Metres, 0 = none.
   float DepthAt(int x, int y) const { return depth_m_.at(x, y); }
 
@@ -60,6 +69,14 @@ class CellGrid {
   Eigen::Vector3f PointAt(int x, int y) const {
     const float z = depth_m_.at(x, y);
     return {ray_x_.at(x, y) * z, ray_y_.at(x, y) * z, z};
+  }
+
+  /// Normal of the surface through the points so many cells to each side, which must be in the grid
+  /// and have depth.
+  Eigen::Vector3f NormalAt(int x, int y, int reach) const {
+    const Eigen::Vector3f across = PointAt(x + reach, y) - PointAt(x - reach, y);
+    const Eigen::Vector3f along = PointAt(x, y + reach) - PointAt(x, y - reach);
+    return across.cross(along).normalized();
   }
 
  private:

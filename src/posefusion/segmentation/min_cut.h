@@ -117,6 +117,13 @@ class MinCut {
   virtual void Solve(const CutProblem& problem, cv::Mat& person) = 0;
 };
 
+/// Equation 3 with its limit and its reach: level between the limit and the end of the reach.
+/// `in_share_m` is the distance from the nearest seed, divided by the seed's share of r; `beyond_m`
+/// how far the point lies out of the reach (not positive: within); `leaves_image` whether a limb
+/// goes on there outside the image.
+float LimitedPenalty(const MinCutConfig& config, float radius_m, float in_share_m, float beyond_m,
+                     bool leaves_image);
+
 /// Turns camera points so that the X-Y plane is that of equation 3: horizontal, with z downwards,
 /// where gravity is known; else the image plane.
 Eigen::Matrix3f RotationToPenaltyFrame(const std::optional<Eigen::Vector3f>& gravity);

@@ -19,15 +19,16 @@ const cv::Point kNeighbours[] = {{1, 0}, {-1, 1}, {0, 1}, {1, 1}};
 
 int Scaled(float weight) { return static_cast<int>(std::lround(weight * kWeightScale)); }
 
-/// How far a point lies beyond the reach of all seeds and unseen parts, metres.
+/// How far a point lies beyond the reach of all seeds and unseen parts, metres; not positive
+/// within.
 float BeyondReach(const Eigen::Vector3f& p_camera, float distance_m, float reach_m,
                   const std::vector<UnseenPart>& parts) {
   float beyond = distance_m - reach_m;
   for (const UnseenPart& part : parts) {
-    if (beyond <= 0) return 0;
+    if (beyond <= 0) break;
     beyond = std::min(beyond, (part.p_camera - p_camera).norm() - part.radius_m);
   }
-  return std::max(beyond, 0.0F);
+  return beyond;
 }
 
 bool LeavesImage(const Eigen::Vector3f& p_camera, const std::vector<UnseenPart>& parts) {
@@ -89,18 +90,14 @@ float MinCutGrid::ColourShare(const CutProblem& problem, const cv::Point& a,
   return least + (1 - least) * std::exp(-squared / (sigma * sigma));
 }
 
-/// Equation 3, level between the limit and the end of the reach. `p` is the point in the penalty's
-/// frame.
+/// Equation 3. `p` is the point in the penalty's frame.
 float MinCutGrid::PenaltyAt(const CutProblem& problem, const SeedDistance& distance,
                             const Eigen::Vector3f& p_camera, const Eigen::Vector3f& p) const {
   const SeedDistance::Squares squares = distance.To(p);
   const float beyond_m = BeyondReach(p_camera, std::sqrt(squares.distance),
                                      static_cast<float>(config_.reach_m), problem.unseen_parts);
-  const auto radius = static_cast<float>(problem.radius_m);
-  const double limit =
-      LeavesImage(p_camera, problem.unseen_parts) ? config_.unseen_penalty : config_.max_penalty;
-  const float penalty = std::sqrt(squares.in_shares) / radius;
-  return std::min(penalty, static_cast<float>(limit)) + beyond_m / radius;
+  return LimitedPenalty(config_, static_cast<float>(problem.radius_m), std::sqrt(squares.in_shares),
+                        beyond_m, LeavesImage(p_camera, problem.unseen_parts));
 }
 
 /// What the colour of a cell speaks for somebody, against the background.

@@ -112,12 +112,10 @@ void UpdatePeople(const KeypointCuts* seen, const std::vector<PersonCut>& carrie
     if (IsWeakPerson(people, x, y) && by_keypoints == nullptr && IsCarried(carried, person)) {
       person = kUnknownCell;
     }
-    if (IsWeakBackground(people, x, y) &&
-        (by_keypoints != nullptr || CutAt(carried, x, y) != nullptr)) {
-      person = kUnknownCell;
-    }
-    if (person == kUnknownCell) {
-      const PersonCut* cut = by_keypoints != nullptr ? by_keypoints : CutAt(carried, x, y);
+    const bool is_weak = IsWeakBackground(people, x, y);
+    const PersonCut* cut = by_keypoints;
+    if (cut == nullptr && (is_weak || person == kUnknownCell)) cut = CutAt(carried, x, y);
+    if (person == kUnknownCell || (is_weak && cut != nullptr)) {
       person = cut != nullptr ? cut->owner : kNobody;
       evidence = by_keypoints != nullptr ? kFirstEvidence
                                          : (cut != nullptr ? kWeakEvidence : -kWeakEvidence);

@@ -198,12 +198,10 @@ cv::Rect PersonCutter::Parts::PeoplesRegion(const CameraModel& camera) const {
 float PersonCutter::Parts::GainOf(const CellFeatures& f) const {
   const MinCutConfig& c = config.min_cut;
   const float log_odds = PersonTrees().Evaluate(f.data(), kMaxLogOdds);
-  const auto radius_m = static_cast<float>(c.radius_m);
-  const auto limit = static_cast<float>(f[kLeavesImage] > 0 ? c.unseen_penalty : c.max_penalty);
   const float beyond_m =
       std::min(f[kSeedDistance] - static_cast<float>(c.reach_m), -f[kInUnseenPart]);
-  const float penalty =
-      std::min(f[kSeedDistanceShared] / radius_m, limit) + std::max(beyond_m, 0.0F) / radius_m;
+  const float penalty = LimitedPenalty(c, static_cast<float>(c.radius_m), f[kSeedDistanceShared],
+                                       beyond_m, f[kLeavesImage] > 0);
   return static_cast<float>(c.log_odds_weight) *
              (log_odds + static_cast<float>(c.log_odds_offset)) +
          static_cast<float>(c.penalty_weight) * (static_cast<float>(c.source_weight) - penalty);
@@ -213,7 +211,7 @@ float PersonCutter::Parts::GainOf(const CellFeatures& f) const {
 void PersonCutter::Parts::ScoreCells(const CutRequest& request, const CameraModel& camera) {
   gains.Resize(cells.width(), cells.height());
   gains.Fill(-kCertainGain);
-  const CellScene scene{cells, problem.colours, background, people, request.people_colours};
+  const CellScene scene{cells, problem.colours, background, people, people_colours};
   features.Open(scene);
   CellFeatures read;
   const cv::Rect region = PeoplesRegion(camera);

@@ -25,16 +25,15 @@ class Remembering {
     if (age_s > config_.memory_s) return;
     place.p_camera = T_now_before_ * place.p_camera;
     if (!IsInView(place.p_camera)) return Keep(place);
-    const Eigen::Vector2d at = cells_.PlaceOf(place.p_camera.cast<double>());
-    const int x = static_cast<int>(std::lround(at.x()));
-    const int y = static_cast<int>(std::lround(at.y()));
-    if (x < 0 || y < 0 || x >= cells_.width() || y >= cells_.height()) return Keep(place);
-    const float z = cells_.DepthAt(x, y);
+    const auto cell = cells_.CellNear(cells_.PlaceOf(place.p_camera.cast<double>()));
+    if (!cell) return Keep(place);
+    const float z = cells_.DepthAt(cell->x, cell->y);
     const auto limit_m = static_cast<float>(config_.max_difference_m + config_.speed_m_s * age_s);
     if (z <= 0 || z < place.p_camera.z() - limit_m) return Keep(place);
-    if (z > place.p_camera.z() + limit_m || people_.person.at(x, y) != kUnknownCell) return;
-    people_.person.at(x, y) = place.person;
-    people_.evidence.at(x, y) = place.evidence;
+    if (z > place.p_camera.z() + limit_m || people_.person.at(cell->x, cell->y) != kUnknownCell)
+      return;
+    people_.person.at(cell->x, cell->y) = place.person;
+    people_.evidence.at(cell->x, cell->y) = place.evidence;
   }
 
  private:
