@@ -22,13 +22,19 @@ class BoundedQueue {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       if (closed_) return;
-      if (capacity_ != 0 && items_.size() >= capacity_) {
+      while (capacity_ != 0 && items_.size() >= capacity_) {
         items_.pop_front();
         ++num_dropped_;
       }
       items_.push_back(std::move(item));
     }
     changed_.notify_one();
+  }
+
+  /// For what is pushed from now on; nothing is dropped by this.
+  void SetCapacity(std::size_t capacity) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    capacity_ = capacity;
   }
 
   /// The oldest item; nothing after `timeout` without one, and at once after Close.
@@ -66,9 +72,9 @@ class BoundedQueue {
   }
 
  private:
-  const std::size_t capacity_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
+  std::size_t capacity_;
   std::deque<T> items_;
   std::size_t num_dropped_ = 0;
   bool closed_ = false;

@@ -24,6 +24,7 @@ void KeypointInbox::AddKeypoints(Skeletons skeletons, Clock::time_point now) {
       const bool is_first = IsSameImage(arrival.image_ns, skeletons.stamp_ns) && !arrival.keypoints;
       if (is_first) arrival.keypoints = now;
     }
+    have_come_ = true;
     waiting_.push_back(std::move(skeletons));
     if (waiting_.size() > kMaxWaiting) waiting_.pop_front();
   }
@@ -51,6 +52,12 @@ bool KeypointInbox::AreTimely(Clock::duration grace, Clock::time_point now) cons
   return timely >= kTimelyShare * judged;
 }
 
+bool KeypointInbox::WaitForFirst(Clock::time_point deadline) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  changed_.wait_until(lock, deadline, [this] { return closed_ || have_come_; });
+  return have_come_;
+}
+
 std::vector<Skeletons> KeypointInbox::Take(StampNs image_ns, Clock::time_point deadline) {
   std::unique_lock<std::mutex> lock(mutex_);
   changed_.wait_until(lock, deadline, [&] { return closed_ || HasKeypointsOf(image_ns); });
@@ -74,6 +81,7 @@ void KeypointInbox::Restart(StampNs image_ns) {
   waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(),
                                 [&](const Skeletons& s) { return is_later(s.stamp_ns); }),
                  waiting_.end());
+  have_come_ = !waiting_.empty();
   arrivals_.clear();
 }
 

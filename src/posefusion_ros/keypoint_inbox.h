@@ -28,6 +28,10 @@ class KeypointInbox {
   /// anything is known.
   bool AreTimely(Clock::duration grace, Clock::time_point now) const;
 
+  /// Waits until keypoints of any image have come since the start or the last Restart, until
+  /// `deadline` or until Close. False when none have come.
+  bool WaitForFirst(Clock::time_point deadline);
+
   /// Waits until keypoints of the image are there, until `deadline` or until Close. Then takes
   /// those of this image and of earlier ones. A stamp that means a noted frame becomes the frame's.
   std::vector<Skeletons> Take(StampNs image_ns, Clock::time_point deadline);
@@ -52,6 +56,7 @@ class KeypointInbox {
   std::condition_variable changed_;
   std::deque<Skeletons> waiting_;  ///< in order of arrival
   std::deque<Arrival> arrivals_;   ///< of the latest frames
+  bool have_come_ = false;         ///< keypoints of any image
   bool closed_ = false;
 };
 

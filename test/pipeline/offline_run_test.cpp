@@ -123,6 +123,71 @@ TEST(OfflineRun, TakesKeypointsAtTheirArrivalAndSurvivesBadOnes) {
   EXPECT_EQ(notes, std::vector<std::string>{"note"});
 }
 
+/// Somebody who walks, for ten frames.
+class WalkingPerson : public FrameSource {
+ public:
+  std::optional<RgbdFrame> Next() override {
+    if (index_ == kNumFrames) return std::nullopt;
+    return MovingPerson().FrameAt(index_++);
+  }
+  std::optional<int> NumFrames() const override { return kNumFrames; }
+
+ private:
+  static constexpr int kNumFrames = 10;
+  int index_ = 0;
+};
+
+/// The keypoints of the same, of the first frame only, five frames late.
+class FirstSkeletonsLate : public SkeletonSource {
+ public:
+  void Offer(const RgbdFrame& frame) override {
+    if (num_offered_++ > 0) return;
+    Skeletons skeletons = MovingPerson().SkeletonsAt(0);
+    skeletons.arrival_ns = frame.stamp_ns + 5 * kFrameIntervalNs;
+    waiting_.Add(std::move(skeletons));
+  }
+  std::vector<Skeletons> Take(StampNs now_ns) override { return waiting_.Take(now_ns); }
+  SkeletonCounts counts() const override { return {num_offered_, 0}; }
+
+ private:
+  ArrivalQueue waiting_;
+  int num_offered_ = 0;
+};
+
+/// Whether each frame in the order of its work has somebody in its mask.
+std::vector<bool> FramesWithPeople(const HumanRemovalConfig& human_removal) {
+  WalkingPerson source;
+  FirstSkeletonsLate skeletons;
+  SystemConfig config;
+  config.blur_filter.enabled = false;
+  config.human_removal = human_removal;
+  std::vector<bool> have_people;
+  StampNs before_ns = -1;
+  OfflineRunHooks hooks;
+  hooks.on_mask = [&](StampNs stamp_ns, const cv::Mat& mask) {
+    EXPECT_GT(stamp_ns, before_ns);
+    before_ns = stamp_ns;
+    have_people.push_back(cv::countNonZero(mask) > 0);
+  };
+  RunOffline(source, config, 1, hooks, &skeletons);
+  return have_people;
+}
+
+TEST(OfflineRun, FirstFramesWaitForTheFirstKeypoints) {
+  EXPECT_EQ(FramesWithPeople({}), std::vector<bool>(10, true));
+}
+
+TEST(OfflineRun, FirstFramesWaitNoLongerThanTheyMay) {
+  std::vector<bool> late(10, true);
+  std::fill(late.begin(), late.begin() + 5, false);
+  HumanRemovalConfig config;
+  config.max_start_wait_s = 0.1;
+  EXPECT_EQ(FramesWithPeople(config), late);
+  config.max_start_wait_s = 1;
+  config.policy = KeypointPolicy::kPass;
+  EXPECT_EQ(FramesWithPeople(config), std::vector<bool>(10, false));
+}
+
 /// Somebody seen by a camera that is rolled clockwise by 90 degrees, with joints down to the hips.
 class RolledPerson : public FrameSource {
  public:

@@ -19,6 +19,17 @@ TEST(BoundedQueue, DropsTheOldestWhenFullAndCountsIt) {
   EXPECT_EQ(queue.PopFor(kNoWait), std::nullopt);
 }
 
+TEST(BoundedQueue, SmallerCapacityCountsFromTheNextItem) {
+  BoundedQueue<int> queue(5);
+  for (int i = 0; i < 5; ++i) queue.Push(i);
+  queue.SetCapacity(2);
+  EXPECT_EQ(queue.size(), 5U);
+  queue.Push(5);
+  EXPECT_EQ(queue.num_dropped(), 4U);
+  EXPECT_EQ(queue.PopFor(kNoWait), 4);
+  EXPECT_EQ(queue.PopFor(kNoWait), 5);
+}
+
 TEST(BoundedQueue, WithoutBoundNothingIsDropped) {
   BoundedQueue<int> queue(0);
   for (int i = 0; i < 1000; ++i) queue.Push(i);

@@ -269,6 +269,19 @@ TEST_F(HumanRemovalGraph, MissingAndLateKeypointsStopNobody) {
   EXPECT_EQ(graph_.status().people, 1);
 }
 
+TEST_F(HumanRemovalGraph, FirstFramesWaitForTheFirstKeypoints) {
+  constexpr int kWaiting = 8;
+  Start();
+  for (int i = 0; i < kWaiting; ++i) {
+    graph_.Publish(Paired(SyntheticPerson(i).frame));
+    ros::WallDuration(0.02).sleep();
+  }
+  EXPECT_EQ(infos_.size(), 0U);
+  PublishKeypoints(SyntheticPerson(0));
+  ASSERT_TRUE(infos_.WaitForSize(kWaiting)) << "none was dropped";
+  for (const auto& info : infos_.messages()) EXPECT_EQ(info->num_people, 1);
+}
+
 TEST_F(HumanRemovalGraph, WithoutTheTransformPeopleAreCutOutAllTheSameAndItIsToldOnce) {
   graph_.SetParam("/human_removal/frames/odom_frame", std::string("odom_init"));
   const LogLines log;

@@ -57,9 +57,22 @@ TEST(KeypointInbox, TakeWaitsForTheKeypointsOfItsFrameUntilTheDeadline) {
   sender.join();
 }
 
+TEST(KeypointInbox, WaitsForTheFirstKeypointsSinceTheStart) {
+  KeypointInbox inbox;
+  const auto begin = Clock::now();
+  EXPECT_FALSE(inbox.WaitForFirst(begin + milliseconds(30)));
+  EXPECT_GE(Clock::now() - begin, milliseconds(30));
+  inbox.AddKeypoints(Of(kFrame), kStart);
+  inbox.Take(kFrame, kStart);
+  EXPECT_TRUE(inbox.WaitForFirst(Clock::now() + std::chrono::hours(1))) << "they have come";
+  inbox.Restart(kFrame);
+  EXPECT_FALSE(inbox.WaitForFirst(kStart));
+}
+
 TEST(KeypointInbox, CloseEndsTheWaiting) {
   KeypointInbox inbox;
   inbox.Close();
+  EXPECT_FALSE(inbox.WaitForFirst(Clock::now() + std::chrono::hours(1)));
   EXPECT_TRUE(inbox.Take(kFrame, Clock::now() + std::chrono::hours(1)).empty());
 }
 

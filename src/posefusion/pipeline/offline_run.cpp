@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <iterator>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "posefusion/common/gravity.h"
 #include "posefusion/pipeline/slam.h"
@@ -27,12 +29,14 @@ class Runner {
     }
   }
 
-  /// `arrived` are the keypoints that became known since the frame before; they may be of earlier
-  /// frames.
-  void Process(const RgbdFrame& frame, const std::vector<Skeletons>& arrived) {
-    clock_.Clear();
+  /// Keypoints that became known; they may be of earlier frames, and of frames to come.
+  void AddKeypoints(const std::vector<Skeletons>& arrived) {
     run_.num_keypoints += static_cast<int>(arrived.size());
     waiting_.insert(waiting_.end(), arrived.begin(), arrived.end());
+  }
+
+  void Process(const RgbdFrame& frame) {
+    clock_.Clear();
     if (IsBlurred(frame)) {
       Record(frame.stamp_ns, FrameState::kDroppedBlur, clock_.times());
       return;
@@ -71,11 +75,22 @@ class Runner {
     std::optional<Eigen::Vector3f> gravity;
     if (hints.T_odom_camera && hints.T_odom_camera->matrix().allFinite())
       gravity = GravityInCamera(*hints.T_odom_camera);
-    const HumanCut cut = human_remover_->Process(frame, waiting_, gravity);
-    waiting_.clear();
+    const HumanCut cut =
+        human_remover_->Process(frame, TakeKeypointsUntil(frame.stamp_ns), gravity);
     if (cut.num_people > 0) ++run_.num_frames_with_people;
     if (hooks_.on_mask) hooks_.on_mask(frame.stamp_ns, cut.mask);
     return {cut.mask, frame.depth_m};
+  }
+
+  /// Those of this image and of earlier ones.
+  std::vector<Skeletons> TakeKeypointsUntil(StampNs stamp_ns) {
+    const auto later =
+        std::stable_partition(waiting_.begin(), waiting_.end(),
+                              [stamp_ns](const Skeletons& s) { return s.stamp_ns <= stamp_ns; });
+    std::vector<Skeletons> taken(std::make_move_iterator(waiting_.begin()),
+                                 std::make_move_iterator(later));
+    waiting_.erase(waiting_.begin(), later);
+    return taken;
   }
 
   void Record(StampNs stamp_ns, FrameState state, const std::vector<StageTime>& times) {
@@ -90,12 +105,36 @@ class Runner {
 
   BlurFilter blur_filter_;
   std::optional<HumanRemover> human_remover_;
-  std::vector<Skeletons> waiting_;  ///< keypoints that arrived since the last frame that was kept
+  std::vector<Skeletons> waiting_;  ///< keypoints that no frame has been cut with yet
   Slam slam_;
   const OdometrySource* odometry_;  ///< null = none
   const OfflineRunHooks& hooks_;
   StageClock clock_;
   OfflineRun& run_;
+};
+
+/// Holds frames back until the first keypoints are there: who stands before the camera from the
+/// start shall not be in the map.
+class FirstFrames {
+ public:
+  FirstFrames(const HumanRemovalConfig& config, bool has_keypoints)
+      : max_wait_s_(config.max_start_wait_s),
+        are_over_(!has_keypoints || !config.enabled || config.policy == KeypointPolicy::kPass) {}
+
+  /// The frames that may go on now, this one the last of them.
+  std::vector<RgbdFrame> Pass(const RgbdFrame& frame, bool keypoints_came) {
+    waiting_.push_back(frame);
+    const double waited_s = SecondsBetween(waiting_.front().stamp_ns, frame.stamp_ns);
+    are_over_ = are_over_ || keypoints_came || waited_s >= max_wait_s_;
+    return are_over_ ? Rest() : std::vector<RgbdFrame>();
+  }
+
+  std::vector<RgbdFrame> Rest() { return std::exchange(waiting_, {}); }
+
+ private:
+  double max_wait_s_;
+  bool are_over_;
+  std::vector<RgbdFrame> waiting_;
 };
 
 void ReportError(const std::string& text, const OfflineRunHooks& hooks, OfflineRun& run) {
@@ -160,17 +199,22 @@ OfflineRun RunOffline(FrameSource& source, const SystemConfig& config, int num_t
   const auto start = std::chrono::steady_clock::now();
   OfflineRun run;
   Runner runner(config, skeletons != nullptr, num_threads, odometry, hooks, run);
-  while (const auto frame = NextGood(source, hooks, run)) {
-    const std::vector<Skeletons> arrived =
-        ArrivedBy(*frame, skeletons, config.human_removal, hooks, run);
+  const auto process = [&](const RgbdFrame& frame) {
     try {
-      runner.Process(*frame, arrived);
+      runner.Process(frame);
     } catch (const std::exception& error) {
       ++run.num_bad_frames;
       ReportError(error.what(), hooks, run);
     }
     hooks.on_frame(static_cast<int>(run.frames.size()));
+  };
+  FirstFrames first_frames(config.human_removal, skeletons != nullptr);
+  while (const auto frame = NextGood(source, hooks, run)) {
+    const auto arrived = ArrivedBy(*frame, skeletons, config.human_removal, hooks, run);
+    runner.AddKeypoints(arrived);
+    for (const RgbdFrame& ready : first_frames.Pass(*frame, !arrived.empty())) process(ready);
   }
+  for (const RgbdFrame& ready : first_frames.Rest()) process(ready);
   runner.Finish();
   run.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return run;

@@ -26,7 +26,9 @@ struct HumanRemovalConfig {
   /// What happens to a frame whose own keypoints are not there yet.
   KeypointPolicy policy = KeypointPolicy::kPropagate;
   double max_wait_s = 0.1;  ///< policy wait: so long at most
-  double history_s = 1.5;   ///< frames are kept for keypoints that come so late
+  double max_start_wait_s =
+      1.0;                 ///< frames before the first keypoints wait for them; not with pass
+  double history_s = 1.5;  ///< frames are kept for keypoints that come so late
   CellGridConfig cells;
   SeedConfig seeds;
   PersonRegionConfig region;
@@ -45,6 +47,7 @@ void Describe(V& v, HumanRemovalConfig& c) {
   v.Field("enabled", c.enabled);
   v.Choice("policy", c.policy, {"wait", "propagate", "pass"});
   v.Field("max_wait_s", c.max_wait_s, 0.0, 60.0);
+  v.Field("max_start_wait_s", c.max_start_wait_s, 0.0, 10.0);
   v.Field("history_s", c.history_s, 0.05, 60.0);
   v.Group("cells", c.cells);
   v.Group("seeds", c.seeds);

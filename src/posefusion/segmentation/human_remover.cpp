@@ -287,7 +287,8 @@ HumanCut HumanRemover::Process(const RgbdFrame& frame, const std::vector<Skeleto
   HumanCut result;
   result.has_own_keypoints = newest != nullptr && newest->stamp_ns == frame.stamp_ns;
   s.ForgetWhatIsTooOld(frame.stamp_ns);
-  if (newest != nullptr && !result.has_own_keypoints) {
+  const bool is_late = newest != nullptr && !result.has_own_keypoints;
+  if (is_late && s.config.policy != KeypointPolicy::kPass) {
     const std::size_t then = s.history.Find(newest->stamp_ns);
     s.CutAt(then, newest, s.past_mask);
     for (std::size_t index = then + 1; index < last; ++index) {

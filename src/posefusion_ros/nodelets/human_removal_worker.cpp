@@ -16,9 +16,8 @@ using Clock = KeypointInbox::Clock;
 constexpr double kLogPeriodS = 5;
 constexpr std::chrono::milliseconds kPollPeriod(100);
 
-std::size_t QueueCapacity(const HumanRemovalRosConfig& config) {
-  return config.input.lossless ? 0 : static_cast<std::size_t>(config.queue_size);
-}
+/// Frames that may wait for the first keypoints.
+constexpr std::size_t kMaxFirstFrames = 300;
 
 Clock::duration Duration(double seconds) {
   return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
@@ -34,7 +33,8 @@ HumanRemovalWorker::HumanRemovalWorker(const HumanRemovalNodeletConfig& config,
       topics_(std::move(topics)),
       callbacks_(std::move(callbacks)),
       trouble_(kLogPeriodS, callbacks_.log_error, callbacks_.log_info),
-      queue_(QueueCapacity(config.ros)) {
+      queue_(0) {
+  LetFramesWait(kMaxFirstFrames);
   if (config_.removal.enabled) remover_.emplace(config_.removal);
   thread_ = std::thread([this] { Run(); });
 }
@@ -59,8 +59,17 @@ void HumanRemovalWorker::Run() {
   while (!queue_.closed()) {
     const auto item = queue_.PopFor(kPollPeriod);
     TakeOver();
-    if (item) Work(*item);
+    if (!item) continue;
+    Work(*item);
+    LetFramesWait(queue_.size());
   }
+}
+
+/// As many as may always wait, or so many more. Frames that piled up while the first one waited go
+/// on one by one, and the pile has gone after as many frames.
+void HumanRemovalWorker::LetFramesWait(std::size_t num_frames) {
+  if (config_.ros.input.lossless) return;
+  queue_.SetCapacity(std::max(num_frames, static_cast<std::size_t>(config_.ros.queue_size)));
 }
 
 void HumanRemovalWorker::Adopt(const HumanRemovalConfig& config) {
@@ -93,6 +102,7 @@ void HumanRemovalWorker::Work(const Item& item) {
     if (remover_) {
       frame = ToRgbdFrame(item.messages, camera_info_.images_are_rectified, topics_);
       RestartIfTimeWentBack(frame.stamp_ns);
+      WaitForFirstKeypoints(item);
       const std::vector<Skeletons> keypoints = TakeKeypoints(frame, item);
       cut = remover_->Process(frame, keypoints, FindGravity(item));
       result.frame = &frame;
@@ -119,6 +129,18 @@ void HumanRemovalWorker::RestartIfTimeWentBack(StampNs stamp_ns) {
                       " s (a bag restarted?): people are looked for anew");
   remover_->Reset();
   inbox_.Restart(stamp_ns);
+  is_start_ = true;
+}
+
+/// Whoever stands before the camera from the start shall not be in the map.
+void HumanRemovalWorker::WaitForFirstKeypoints(const Item& item) {
+  if (!std::exchange(is_start_, false)) return;
+  const double max_wait_s = config_.removal.max_start_wait_s;
+  if (config_.removal.policy == KeypointPolicy::kPass || max_wait_s <= 0) return;
+  LetFramesWait(kMaxFirstFrames);
+  if (inbox_.WaitForFirst(item.arrived + Duration(max_wait_s))) return;
+  callbacks_.log_info("no keypoints came within " + std::to_string(max_wait_s) +
+                      " s of the first frame (max_start_wait_s): going on without");
 }
 
 std::vector<Skeletons> HumanRemovalWorker::TakeKeypoints(const RgbdFrame& frame, const Item& item) {

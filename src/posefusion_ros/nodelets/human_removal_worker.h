@@ -67,6 +67,8 @@ class HumanRemovalWorker {
   void TakeOver();
   void Work(const Item& item);
   void RestartIfTimeWentBack(StampNs stamp_ns);
+  void WaitForFirstKeypoints(const Item& item);
+  void LetFramesWait(std::size_t num_frames);
   std::vector<Skeletons> TakeKeypoints(const RgbdFrame& frame, const Item& item);
   std::optional<Eigen::Vector3f> FindGravity(const Item& item) const;
   KeypointInbox::Clock::duration WaitTime() const;
@@ -80,6 +82,7 @@ class HumanRemovalWorker {
   std::optional<HumanRemover> remover_;        ///< empty when removal is off
   TroubleLog trouble_;
   std::optional<StampNs> last_stamp_ns_;
+  bool is_start_ = true;  ///< no frame has been cut yet
   KeypointInbox inbox_;
   BoundedQueue<Item> queue_;
   std::thread thread_;
