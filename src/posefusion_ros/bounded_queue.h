@@ -19,12 +19,18 @@ class BoundedQueue {
   explicit BoundedQueue(std::size_t capacity) : capacity_(capacity) {}
 
   void Push(T item) {
+    Push(std::move(item), [](const T& /*item*/) { return true; });
+  }
+
+  /// Counts as dropped only those for which `counts(item)` is true.
+  template <class Counts>
+  void Push(T item, const Counts& counts) {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       if (closed_) return;
       while (capacity_ != 0 && items_.size() >= capacity_) {
+        if (counts(items_.front())) ++num_dropped_;
         items_.pop_front();
-        ++num_dropped_;
       }
       items_.push_back(std::move(item));
     }

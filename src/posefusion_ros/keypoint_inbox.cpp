@@ -32,9 +32,16 @@ void KeypointInbox::AddKeypoints(Skeletons skeletons, Clock::time_point now) {
 }
 
 void KeypointInbox::NoteFrame(StampNs image_ns, Clock::time_point now) {
+  Note({image_ns, now, std::nullopt, false});
+}
+
+void KeypointInbox::NoteBlurredFrame(StampNs image_ns, Clock::time_point now) {
+  Note({image_ns, now, std::nullopt, true});
+}
+
+void KeypointInbox::Note(Arrival arrival) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  Arrival arrival{image_ns, now, std::nullopt};
-  if (HasKeypointsOf(image_ns)) arrival.keypoints = now;
+  if (HasKeypointsOf(arrival.image_ns)) arrival.keypoints = arrival.frame;
   arrivals_.push_back(arrival);
   if (arrivals_.size() > kMaxArrivals) arrivals_.pop_front();
 }
@@ -44,6 +51,7 @@ bool KeypointInbox::AreTimely(Clock::duration grace, Clock::time_point now) cons
   int judged = 0;
   int timely = 0;
   for (auto it = arrivals_.rbegin(); it != arrivals_.rend() && judged < kNumJudged; ++it) {
+    if (it->is_blurred) continue;
     const bool is_timely = it->keypoints && *it->keypoints - it->frame <= grace;
     if (!is_timely && now - it->frame <= grace) continue;  // they may still come
     ++judged;

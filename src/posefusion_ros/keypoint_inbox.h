@@ -23,6 +23,8 @@ class KeypointInbox {
 
   /// A frame has come in and will be worked on.
   void NoteFrame(StampNs image_ns, Clock::time_point now);
+  /// A blurred one: keypoints may be of it, but nobody waits for them.
+  void NoteBlurredFrame(StampNs image_ns, Clock::time_point now);
 
   /// True while keypoints of nearly every frame come within `grace` of the frame; also before
   /// anything is known.
@@ -47,7 +49,10 @@ class KeypointInbox {
     StampNs image_ns;
     Clock::time_point frame;
     std::optional<Clock::time_point> keypoints;
+    bool is_blurred = false;
   };
+
+  void Note(Arrival arrival);
 
   void SnapToFrame(Skeletons& skeletons) const;
   bool HasKeypointsOf(StampNs image_ns) const;

@@ -19,6 +19,10 @@ constexpr const char* kTfStaticTopic = "/tf_static";
 constexpr const char* kSharpRgbTopic = "sharp/rgb/image_rect_color";
 constexpr const char* kSharpDepthTopic = "sharp/depth_registered/image_rect";
 constexpr const char* kSharpInfoTopic = "sharp/rgb/camera_info";
+// And the blurred ones.
+constexpr const char* kBlurredRgbTopic = "blurred/rgb/image_rect_color";
+constexpr const char* kBlurredDepthTopic = "blurred/depth_registered/image_rect";
+constexpr const char* kBlurredInfoTopic = "blurred/rgb/camera_info";
 constexpr const char* kBlurScoreTopic = "blur_score";
 
 // Keypoints of people: from elsewhere or a bag, and checked from SkeletonIngest.

@@ -282,6 +282,28 @@ TEST_F(HumanRemovalGraph, FirstFramesWaitForTheFirstKeypoints) {
   for (const auto& info : infos_.messages()) EXPECT_EQ(info->num_people, 1);
 }
 
+TEST_F(HumanRemovalGraph, LateKeypointsMayBeOfABlurredFrame) {
+  Start();
+  const ros::Publisher info = node_.advertise<sensor_msgs::CameraInfo>(kBlurredInfoTopic, 10);
+  const ros::Publisher depth = node_.advertise<sensor_msgs::Image>(kBlurredDepthTopic, 10);
+  const ros::Publisher rgb = node_.advertise<sensor_msgs::Image>(kBlurredRgbTopic, 10);
+  while (ros::ok() && rgb.getNumSubscribers() == 0) ros::WallDuration(0.005).sleep();
+  skeletons_.publish(MessageOf({SyntheticPerson(0).skeletons.stamp_ns, {}, {}, 0}));
+  EXPECT_EQ(Process(SyntheticPerson(0)).num_people, 0) << "nobody was found";
+  const RgbdMessages blurred = Paired(SyntheticPerson(1).frame);
+  info.publish(blurred.info);
+  depth.publish(blurred.depth);
+  rgb.publish(blurred.rgb);
+  ros::WallDuration(0.2).sleep();
+  PublishKeypoints(SyntheticPerson(1));
+  ros::WallDuration(0.2).sleep();
+  const HumanInfo now = Process(SyntheticPerson(2));
+  EXPECT_FALSE(now.has_own_keypoints);
+  EXPECT_NEAR(now.mask_age_s, 0.033, 1e-3);
+  EXPECT_EQ(now.num_people, 1) << "carried from the blurred frame";
+  EXPECT_EQ(infos_.size(), 2U) << "the blurred frame goes nowhere";
+}
+
 TEST_F(HumanRemovalGraph, WithoutTheTransformPeopleAreCutOutAllTheSameAndItIsToldOnce) {
   graph_.SetParam("/human_removal/frames/odom_frame", std::string("odom_init"));
   const LogLines log;

@@ -99,6 +99,26 @@ TEST(KeypointInbox, KnowsWhetherKeypointsOfNearlyEveryFrameAreTimely) {
   EXPECT_FALSE(inbox.AreTimely(grace, now)) << "rare";
 }
 
+TEST(KeypointInbox, BlurredFramesTakeStampsButAreNotWaitedFor) {
+  KeypointInbox inbox;
+  const auto grace = milliseconds(30);
+  Clock::time_point now = kStart;
+  for (int i = 0; i < 20; ++i) {
+    now += milliseconds(33);
+    const StampNs stamp = std::chrono::nanoseconds(now.time_since_epoch()).count();
+    if (i % 2 == 0) {
+      inbox.NoteBlurredFrame(stamp, now);
+      continue;
+    }
+    inbox.NoteFrame(stamp, now);
+    inbox.AddKeypoints(Of(stamp), now);
+  }
+  EXPECT_TRUE(inbox.AreTimely(grace, now)) << "of every frame that is waited for";
+  inbox.NoteBlurredFrame(500 * kFrame, now);
+  inbox.AddKeypoints(Of(500 * kFrame + 900'000), now);
+  EXPECT_EQ(Stamps(inbox.Take(501 * kFrame, kStart)).back(), 500 * kFrame);
+}
+
 TEST(KeypointInbox, RestartForgetsKeypointsOfTheTimeBefore) {
   KeypointInbox inbox;
   inbox.AddKeypoints(Of(9 * kFrame), kStart);

@@ -80,15 +80,20 @@ TEST(NodeletGraph, MappingGetsTheVerySameMessages) {
   }
 }
 
-TEST(NodeletGraph, BlurredFramesStayOut) {
+TEST(NodeletGraph, BlurredFramesGoElsewhere) {
   NodeletGraph graph;
   ASSERT_TRUE(graph.Start());
+  const Recorder<sensor_msgs::Image> blurred(kBlurredRgbTopic);
+  const Recorder<sensor_msgs::Image> blurred_depth(kBlurredDepthTopic);
+  const Recorder<sensor_msgs::CameraInfo> blurred_info(kBlurredInfoTopic);
   const Recorder<sensor_msgs::Image> rgb(kSharpRgbTopic);
   const Recorder<BlurScore> score(kBlurScoreTopic);
   constexpr std::size_t kBlurred = 7;
+  RgbdMessages dropped;
   for (std::size_t i = 0; i < 10; ++i) {
     RgbdMessages frame = PairedMessages(static_cast<int>(i));
     if (i == kBlurred) frame.rgb = Blurred(*frame.rgb);
+    if (i == kBlurred) dropped = frame;
     graph.Publish(frame);
   }
   ASSERT_TRUE(score.WaitForSize(10) && rgb.WaitForSize(9));
@@ -96,6 +101,11 @@ TEST(NodeletGraph, BlurredFramesStayOut) {
   EXPECT_EQ(score.messages()[kBlurred]->reason, "blurred");
   EXPECT_EQ(score.messages()[9]->frames_dropped, 1U);
   EXPECT_EQ(rgb.size(), 9U);
+  ASSERT_TRUE(blurred.WaitForSize(1) && blurred_depth.WaitForSize(1));
+  ASSERT_TRUE(blurred_info.WaitForSize(1));
+  EXPECT_EQ(blurred.messages()[0].get(), dropped.rgb.get());
+  EXPECT_EQ(blurred_depth.messages()[0].get(), dropped.depth.get());
+  EXPECT_EQ(blurred_info.messages()[0].get(), dropped.info.get());
 }
 
 TEST(NodeletGraph, FedSlowlyGivesTheTrajectoryOfRunDataset) {

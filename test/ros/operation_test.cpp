@@ -32,6 +32,7 @@ class Operation : public testing::Test {
   void Start() {
     graph_.SetParam("/mapping/ros/output_dir", folder_.path());
     graph_.SetParam("/mapping/ros/human_removal", true);
+    graph_.SetParam("/human_removal/max_start_wait_s", 0.0);  // nobody sends keypoints
     graph_.SetParam("/mapping/ros/input/no_data_warning_s", 1.0);
     ASSERT_TRUE(graph_.Start());
   }

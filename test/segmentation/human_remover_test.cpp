@@ -90,6 +90,36 @@ TEST(HumanRemover, LateKeypointsAreCarriedToThePresent) {
   for (int i = kDelay; i < 25; ++i) ExpectFound(cuts[static_cast<std::size_t>(i)], i);
 }
 
+TEST(HumanRemover, LateKeypointsOfFollowedFramesAreUsed) {
+  HumanRemover remover{HumanRemovalConfig()};
+  for (int i = 0; i < 6; ++i) remover.Follow(MovingPerson().FrameAt(i));
+  ExpectFound(remover.Process(MovingPerson().FrameAt(6), kOnTime(2)), 6);
+  EXPECT_EQ(remover.counts().used, 1);
+}
+
+/// What is found of somebody five frames on, who was cut before and after, or followed as well.
+double RecallAfterFiveFrames(bool follow) {
+  MovingPerson person;
+  person.speed_m = 0.08;
+  HumanRemover remover{HumanRemovalConfig()};
+  remover.Process(person.FrameAt(0), {person.SkeletonsAt(0)});
+  for (int i = 1; i < 5 && follow; ++i) remover.Follow(person.FrameAt(i));
+  return Recall(remover.Process(person.FrameAt(5), {}).mask, person.SceneAt(5));
+}
+
+TEST(HumanRemover, PeopleAreFollowedThroughFramesThatNobodyCuts) {
+  EXPECT_LT(RecallAfterFiveFrames(false), 0.8) << "too fast";
+  EXPECT_GT(RecallAfterFiveFrames(true), 0.95);
+}
+
+TEST(HumanRemover, FollowsNoFrameFromThePast) {
+  HumanRemover remover{HumanRemovalConfig()};
+  remover.Follow(MovingPerson().FrameAt(3));
+  EXPECT_THROW(remover.Follow(MovingPerson().FrameAt(3)), std::invalid_argument);
+  EXPECT_THROW(remover.Process(MovingPerson().FrameAt(2), {}), std::invalid_argument);
+  ExpectFound(remover.Process(MovingPerson().FrameAt(4), kOnTime(4)), 4);
+}
+
 TEST(HumanRemover, WhoeverWasSeenForLongIsHeldWhenTheNetworkMissesThem) {
   HumanRemover remover{HumanRemovalConfig()};
   const auto cuts = CutFrames(remover, 30, [](int i) {

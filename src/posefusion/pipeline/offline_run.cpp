@@ -37,12 +37,13 @@ class Runner {
 
   void Process(const RgbdFrame& frame) {
     clock_.Clear();
+    FrameHints hints;
+    if (odometry_ != nullptr) hints.T_odom_camera = odometry_->PoseAt(frame.stamp_ns);
     if (IsBlurred(frame)) {
+      FollowPeople(frame, hints);
       Record(frame.stamp_ns, FrameState::kDroppedBlur, clock_.times());
       return;
     }
-    FrameHints hints;
-    if (odometry_ != nullptr) hints.T_odom_camera = odometry_->PoseAt(frame.stamp_ns);
     const PeopleInFrame people = FindPeople(frame, hints);
     const FrameResult result = slam_.ProcessFrame(frame, people, hints);
     std::vector<StageTime> times = clock_.times();
@@ -69,14 +70,22 @@ class Runner {
     return !blur_filter_.Judge(frame.rgb, frame.stamp_ns).keep;
   }
 
+  static std::optional<Eigen::Vector3f> Gravity(const FrameHints& hints) {
+    if (!hints.T_odom_camera || !hints.T_odom_camera->matrix().allFinite()) return std::nullopt;
+    return GravityInCamera(*hints.T_odom_camera);
+  }
+
+  void FollowPeople(const RgbdFrame& frame, const FrameHints& hints) {
+    if (!human_remover_) return;
+    const auto scope = clock_.Measure("people");
+    human_remover_->Follow(frame, Gravity(hints));
+  }
+
   PeopleInFrame FindPeople(const RgbdFrame& frame, const FrameHints& hints) {
     if (!human_remover_) return {};
     const auto scope = clock_.Measure("people");
-    std::optional<Eigen::Vector3f> gravity;
-    if (hints.T_odom_camera && hints.T_odom_camera->matrix().allFinite())
-      gravity = GravityInCamera(*hints.T_odom_camera);
     const HumanCut cut =
-        human_remover_->Process(frame, TakeKeypointsUntil(frame.stamp_ns), gravity);
+        human_remover_->Process(frame, TakeKeypointsUntil(frame.stamp_ns), Gravity(hints));
     if (cut.num_people > 0) ++run_.num_frames_with_people;
     if (hooks_.on_mask) hooks_.on_mask(frame.stamp_ns, cut.mask);
     return {cut.mask, frame.depth_m};

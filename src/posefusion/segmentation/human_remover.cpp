@@ -46,6 +46,7 @@ struct HumanRemover::State {
   void ForgetWhatIsTooOld(StampNs now_ns);
   void CarryInto(std::size_t index);
   void FindNear(std::size_t index, const Skeletons* skeletons);
+  void TakePlanes(std::size_t index);
   void CutAt(std::size_t index, const Skeletons* skeletons, cv::Mat& mask);
   void CutSkeletons(PastFrame& entry, const Skeletons& skeletons, double time_s);
   void MarkSure(const PastFrame& entry);
@@ -237,11 +238,16 @@ void HumanRemover::State::FindNear(std::size_t index, const Skeletons* skeletons
                                      Time(entry.frame.stamp_ns), config.near_people);
 }
 
+/// The large surfaces that the frame before saw.
+void HumanRemover::State::TakePlanes(std::size_t index) {
+  history[index].planes = index > 0 ? history[index - 1].planes : std::vector<Plane>();
+}
+
 void HumanRemover::State::CutAt(std::size_t index, const Skeletons* skeletons, cv::Mat& mask) {
   PastFrame& entry = history[index];
   const double time_s = Time(entry.frame.stamp_ns);
   const bool by_keypoints = skeletons != nullptr;
-  entry.planes = index > 0 ? history[index - 1].planes : std::vector<Plane>();
+  TakePlanes(index);
   ReleasePeople(tracks, entry.people);
   MarkKnown(entry.people, known_people);
   if (by_keypoints) CutSkeletons(entry, *skeletons, time_s);
@@ -306,6 +312,17 @@ HumanCut HumanRemover::Process(const RgbdFrame& frame, const std::vector<Skeleto
     result.mask_age_s = SecondsBetween(*s.newest_keypoints_ns, frame.stamp_ns);
   }
   return result;
+}
+
+void HumanRemover::Follow(const RgbdFrame& frame, const std::optional<Eigen::Vector3f>& gravity) {
+  State& s = *state_;
+  s.Check(frame);
+  s.Append(frame, gravity);
+  s.ForgetWhatIsTooOld(frame.stamp_ns);
+  const std::size_t last = s.history.size() - 1;
+  s.CarryInto(last);
+  s.FindNear(last, nullptr);
+  s.TakePlanes(last);
 }
 
 void HumanRemover::Adopt(const HumanRemovalConfig& config) {

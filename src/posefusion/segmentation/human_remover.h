@@ -46,6 +46,10 @@ class HumanRemover {
   HumanCut Process(const RgbdFrame& frame, const std::vector<Skeletons>& arrived,
                    const std::optional<Eigen::Vector3f>& gravity = std::nullopt);
 
+  /// Takes a frame that nobody needs a mask of (a blurred one): people are followed through it, and
+  /// keypoints that come later may be of it. Cheaper than Process. Throws as that does.
+  void Follow(const RgbdFrame& frame, const std::optional<Eigen::Vector3f>& gravity = std::nullopt);
+
   /// Takes over what may change while it runs: policy, max_wait_s, seeds and min_cut; the rest of
   /// `config` is not looked at. Nobody is forgotten.
   /// @throws std::invalid_argument naming the key for a value out of range; nothing changes then.

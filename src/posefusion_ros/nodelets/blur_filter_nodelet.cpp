@@ -17,10 +17,34 @@
 #include "posefusion_ros/trouble_log.h"
 
 namespace posefusion {
+namespace {
 
-/// Passes on the frames of an RGB-D camera that are not blurred. What goes out under sharp/ are the
-/// messages that came in, not copies: camera_info first, then depth, then colour, so that whoever
-/// has the colour image has the rest.
+/// The topics that frames go out on.
+class FramePublisher {
+ public:
+  FramePublisher() = default;
+  FramePublisher(ros::NodeHandle& node, const RgbdTopics& topics, std::uint32_t queue_size)
+      : rgb_(node.advertise<sensor_msgs::Image>(topics.rgb, queue_size)),
+        depth_(node.advertise<sensor_msgs::Image>(topics.depth, queue_size)),
+        info_(node.advertise<sensor_msgs::CameraInfo>(topics.info, queue_size)) {}
+
+  void Publish(const RgbdMessages& frame) const {
+    if (frame.info) info_.publish(frame.info);
+    depth_.publish(frame.depth);
+    rgb_.publish(frame.rgb);
+  }
+
+ private:
+  ros::Publisher rgb_;
+  ros::Publisher depth_;
+  ros::Publisher info_;
+};
+
+}  // namespace
+
+/// Divides the frames of an RGB-D camera into those that are not blurred, under sharp/, and the
+/// others, under blurred/. What goes out are the messages that came in, not copies: camera_info
+/// first, then depth, then colour, so that whoever has the colour image has the rest.
 class BlurFilterNodelet : public CheckedNodelet {
  private:
   void Start() override {
@@ -29,9 +53,8 @@ class BlurFilterNodelet : public CheckedNodelet {
     filter_.emplace(config_.filter);
     const auto queue_size = static_cast<std::uint32_t>(
         config_.ros.input.lossless ? 0 : config_.ros.input.subscriber_queue_size);
-    rgb_ = node.advertise<sensor_msgs::Image>(kSharpRgbTopic, queue_size);
-    depth_ = node.advertise<sensor_msgs::Image>(kSharpDepthTopic, queue_size);
-    info_ = node.advertise<sensor_msgs::CameraInfo>(kSharpInfoTopic, queue_size);
+    sharp_ = {node, {kSharpRgbTopic, kSharpDepthTopic, kSharpInfoTopic}, queue_size};
+    blurred_ = {node, {kBlurredRgbTopic, kBlurredDepthTopic, kBlurredInfoTopic}, queue_size};
     score_ = node.advertise<BlurScore>(kBlurScoreTopic, queue_size);
     rgb_topic_ = node.resolveName(kCameraRgbTopic);
     subscriber_ = std::make_unique<RgbdSubscriber>(
@@ -75,7 +98,7 @@ class BlurFilterNodelet : public CheckedNodelet {
       const bool sharp =
           !config_.filter.enabled || IsSharp(*frame.rgb, ToRgb(frame.rgb, rgb_topic_));
       trouble_.AllWell();
-      if (sharp) Pass(frame);
+      (sharp ? sharp_ : blurred_).Publish(frame);
     } catch (const std::exception& error) {
       trouble_.Report(error.what(), SteadyNowS());
     }
@@ -97,21 +120,14 @@ class BlurFilterNodelet : public CheckedNodelet {
     return decision.keep;
   }
 
-  void Pass(const RgbdMessages& frame) {
-    if (frame.info) info_.publish(frame.info);
-    depth_.publish(frame.depth);
-    rgb_.publish(frame.rgb);
-  }
-
   BlurFilterNodeletConfig config_;
   std::optional<BlurFilter> filter_;
   ros::Time last_stamp_;
   std::string rgb_topic_;  ///< resolved
   TroubleLog trouble_{5, [this](const std::string& text) { NODELET_ERROR_STREAM(text); },
                       [this](const std::string& text) { NODELET_INFO_STREAM(text); }};
-  ros::Publisher rgb_;
-  ros::Publisher depth_;
-  ros::Publisher info_;
+  FramePublisher sharp_;
+  FramePublisher blurred_;
   ros::Publisher score_;
   std::unique_ptr<ReconfigureServer<BlurFilterNodeletConfig>> reconfigure_;
   std::unique_ptr<RgbdSubscriber> subscriber_;  // no frame comes while the rest ends

@@ -1,5 +1,6 @@
 #include <std_srvs/SetBool.h>
 
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -50,10 +51,20 @@ class HumanRemovalNodelet : public CheckedNodelet {
     subscriber_ =
         std::make_unique<RgbdSubscriber>(node, topics, input, config_.ros.input_is_paired,
                                          [this](const RgbdMessages& frame) { OnFrame(frame); });
+    SubscribeBlurred(node);
     StartControls();
     StartDiagnostics(node);
     NODELET_INFO_STREAM("removal of people " << (config_.removal.enabled ? "on" : "off")
                                              << ", keypoints from " << skeletons_topic_);
+  }
+
+  /// Frames that may never come are not missed.
+  void SubscribeBlurred(const ros::NodeHandle& node) {
+    InputConfig input = config_.ros.input;
+    input.no_data_warning_s = std::numeric_limits<double>::infinity();
+    blurred_ = std::make_unique<RgbdSubscriber>(
+        node, RgbdTopics{kBlurredRgbTopic, kBlurredDepthTopic, kBlurredInfoTopic}, input, true,
+        [this](const RgbdMessages& frame) { worker_->PushBlurred(frame); });
   }
 
   /// The odometry frame stands upright; without one nobody needs tf.
@@ -193,6 +204,7 @@ class HumanRemovalNodelet : public CheckedNodelet {
   ros::Subscriber skeletons_;
   std::unique_ptr<ReconfigureServer<HumanRemovalNodeletConfig>> reconfigure_;
   ros::ServiceServer set_human_removal_;
+  std::unique_ptr<RgbdSubscriber> blurred_;
   std::unique_ptr<RgbdSubscriber> subscriber_;  // no frame comes while the rest ends
   std::unique_ptr<Diagnostics> diagnostics_;
 };

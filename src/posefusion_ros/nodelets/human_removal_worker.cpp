@@ -48,7 +48,14 @@ HumanRemovalWorker::~HumanRemovalWorker() {
 void HumanRemovalWorker::Push(RgbdMessages messages) {
   const auto now = Clock::now();
   inbox_.NoteFrame(ToStampNs(messages.rgb->header.stamp), now);
-  queue_.Push({std::move(messages), now});
+  queue_.Push({std::move(messages), now, false}, [](const Item& item) { return !item.is_blurred; });
+}
+
+void HumanRemovalWorker::PushBlurred(RgbdMessages messages) {
+  const auto now = Clock::now();
+  inbox_.NoteBlurredFrame(ToStampNs(messages.rgb->header.stamp), now);
+  if (!config_.ros.input.lossless && queue_.size() > 0) return;
+  queue_.Push({std::move(messages), now, true});
 }
 
 void HumanRemovalWorker::PushKeypoints(Skeletons skeletons) {
@@ -60,7 +67,7 @@ void HumanRemovalWorker::Run() {
     const auto item = queue_.PopFor(kPollPeriod);
     TakeOver();
     if (!item) continue;
-    Work(*item);
+    item->is_blurred ? Follow(*item) : Work(*item);
     LetFramesWait(queue_.size());
   }
 }
@@ -100,8 +107,7 @@ void HumanRemovalWorker::Work(const Item& item) {
   HumanCut cut;
   try {
     if (remover_) {
-      frame = ToRgbdFrame(item.messages, camera_info_.images_are_rectified, topics_);
-      RestartIfTimeWentBack(frame.stamp_ns);
+      frame = Open(item);
       WaitForFirstKeypoints(item);
       const std::vector<Skeletons> keypoints = TakeKeypoints(frame, item);
       cut = remover_->Process(frame, keypoints, FindGravity(item));
@@ -115,6 +121,22 @@ void HumanRemovalWorker::Work(const Item& item) {
   }
   result.dropped = queue_.num_dropped();
   callbacks_.frame(result);
+}
+
+void HumanRemovalWorker::Follow(const Item& item) {
+  if (!remover_) return;
+  try {
+    const RgbdFrame frame = Open(item);
+    remover_->Follow(frame, FindGravity(item));
+  } catch (const std::exception& error) {
+    trouble_.Report(error.what(), SteadyNowS());
+  }
+}
+
+RgbdFrame HumanRemovalWorker::Open(const Item& item) {
+  RgbdFrame frame = ToRgbdFrame(item.messages, camera_info_.images_are_rectified, topics_);
+  RestartIfTimeWentBack(frame.stamp_ns);
+  return frame;
 }
 
 void HumanRemovalWorker::RestartIfTimeWentBack(StampNs stamp_ns) {

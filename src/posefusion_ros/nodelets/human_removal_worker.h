@@ -49,8 +49,11 @@ class HumanRemovalWorker {
   /// Stops after the frame in work; frames that wait are forgotten.
   ~HumanRemovalWorker();
 
-  /// Both thread-safe; they return at once.
+  /// All thread-safe; they return at once.
   void Push(RgbdMessages messages);
+  /// A blurred frame: people are followed through it, and it is not handed on. Left out when other
+  /// frames wait.
+  void PushBlurred(RgbdMessages messages);
   void PushKeypoints(Skeletons skeletons);
 
   /// Takes over, before the next frame, what may change while it runs: `enabled` and what
@@ -61,11 +64,14 @@ class HumanRemovalWorker {
   struct Item {
     RgbdMessages messages;
     KeypointInbox::Clock::time_point arrived;
+    bool is_blurred = false;
   };
 
   void Run();
   void TakeOver();
   void Work(const Item& item);
+  void Follow(const Item& item);
+  RgbdFrame Open(const Item& item);
   void RestartIfTimeWentBack(StampNs stamp_ns);
   void WaitForFirstKeypoints(const Item& item);
   void LetFramesWait(std::size_t num_frames);
