@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -19,20 +20,24 @@ class BoundedQueue {
   explicit BoundedQueue(std::size_t capacity) : capacity_(capacity) {}
 
   void Push(T item) {
-    Push(std::move(item), [](const T& /*item*/) { return true; });
-  }
-
-  /// Counts as dropped only those for which `counts(item)` is true.
-  template <class Counts>
-  void Push(T item, const Counts& counts) {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       if (closed_) return;
-      while (capacity_ != 0 && items_.size() >= capacity_) {
-        if (counts(items_.front())) ++num_dropped_;
-        items_.pop_front();
+      while (!HasRoom()) {
+        if (entries_.front().counts) ++num_dropped_;
+        entries_.pop_front();
       }
-      items_.push_back(std::move(item));
+      entries_.push_back({std::move(item), true});
+    }
+    changed_.notify_one();
+  }
+
+  /// Leaves the item out when it is full, and drops it without counting it.
+  void PushIfRoom(T item) {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (closed_ || !HasRoom()) return;
+      entries_.push_back({std::move(item), false});
     }
     changed_.notify_one();
   }
@@ -43,13 +48,20 @@ class BoundedQueue {
     capacity_ = capacity;
   }
 
+  /// A step back to a smaller capacity: what waits now may stay, and each call makes room for one
+  /// item less, down to `least`. No effect without a bound.
+  void ShrinkCapacity(std::size_t least) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (capacity_ > least) capacity_ = std::max(least, std::min(capacity_ - 1, entries_.size()));
+  }
+
   /// The oldest item; nothing after `timeout` without one, and at once after Close.
   std::optional<T> PopFor(std::chrono::milliseconds timeout) {
     std::unique_lock<std::mutex> lock(mutex_);
-    changed_.wait_for(lock, timeout, [this] { return closed_ || !items_.empty(); });
-    if (closed_ || items_.empty()) return std::nullopt;
-    std::optional<T> item(std::move(items_.front()));
-    items_.pop_front();
+    changed_.wait_for(lock, timeout, [this] { return closed_ || !entries_.empty(); });
+    if (closed_ || entries_.empty()) return std::nullopt;
+    std::optional<T> item(std::move(entries_.front().item));
+    entries_.pop_front();
     return item;
   }
 
@@ -58,7 +70,7 @@ class BoundedQueue {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       closed_ = true;
-      items_.clear();
+      entries_.clear();
     }
     changed_.notify_all();
   }
@@ -69,7 +81,7 @@ class BoundedQueue {
   }
   std::size_t size() const {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return items_.size();
+    return entries_.size();
   }
   /// Items that have been dropped to make room.
   std::size_t num_dropped() const {
@@ -78,10 +90,16 @@ class BoundedQueue {
   }
 
  private:
+  struct Entry {
+    T item;
+    bool counts;  ///< as dropped
+  };
+  bool HasRoom() const { return capacity_ == 0 || entries_.size() < capacity_; }
+
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::size_t capacity_;
-  std::deque<T> items_;
+  std::deque<Entry> entries_;
   std::size_t num_dropped_ = 0;
   bool closed_ = false;
 };

@@ -66,7 +66,8 @@ std::vector<RgbdMessages> FrameAssembler::Complete(std::vector<Matcher::Pair> pa
     auto info = FindInfo(rgb->header.stamp);
     const bool patient = infos_come_per_image_ && waiting_for_info_.size() <= max_waiting;
     if (!info && patient) break;
-    infos_come_per_image_ = info != nullptr || (infos_come_per_image_ && max_waiting == 0);
+    infos_come_per_image_ =
+        waits_for_info_ && (info != nullptr || (infos_come_per_image_ && max_waiting == 0));
     if (!info && !infos_.empty()) info = infos_.back();
     frames.push_back({std::move(rgb), std::move(depth), std::move(info)});
     waiting_for_info_.pop_front();

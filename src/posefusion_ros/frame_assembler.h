@@ -38,7 +38,9 @@ RgbdFrame ToRgbdFrame(const RgbdMessages& messages, bool images_are_rectified,
 /// otherwise the latest one counts. Not thread-safe.
 class FrameAssembler {
  public:
-  explicit FrameAssembler(const StampMatcherOptions& options) : matcher_(options) {}
+  /// `waits_for_info` false: the latest camera_info counts at once, of whatever stamp.
+  explicit FrameAssembler(const StampMatcherOptions& options, bool waits_for_info = true)
+      : matcher_(options), infos_come_per_image_(waits_for_info), waits_for_info_(waits_for_info) {}
 
   /// Each returns the frames that have become complete, in stamp order.
   std::vector<RgbdMessages> AddRgb(const sensor_msgs::ImageConstPtr& rgb);
@@ -60,7 +62,8 @@ class FrameAssembler {
   Matcher matcher_;
   std::deque<Matcher::Pair> waiting_for_info_;
   std::deque<sensor_msgs::CameraInfoConstPtr> infos_;  ///< the latest, oldest first
-  bool infos_come_per_image_ = true;
+  bool infos_come_per_image_;
+  bool waits_for_info_;
 };
 
 }  // namespace posefusion

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <utility>
 
 namespace posefusion {
@@ -21,10 +22,10 @@ void KeypointInbox::AddKeypoints(Skeletons skeletons, Clock::time_point now) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     for (Arrival& arrival : arrivals_) {
-      const bool is_first = IsSameImage(arrival.image_ns, skeletons.stamp_ns) && !arrival.keypoints;
-      if (is_first) arrival.keypoints = now;
+      if (!IsSameImage(arrival.image_ns, skeletons.stamp_ns)) continue;
+      if (!arrival.keypoints) arrival.keypoints = now;
+      have_come_ = true;
     }
-    have_come_ = true;
     waiting_.push_back(std::move(skeletons));
     if (waiting_.size() > kMaxWaiting) waiting_.pop_front();
   }
@@ -40,10 +41,16 @@ void KeypointInbox::NoteBlurredFrame(StampNs image_ns, Clock::time_point now) {
 }
 
 void KeypointInbox::Note(Arrival arrival) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (HasKeypointsOf(arrival.image_ns)) arrival.keypoints = arrival.frame;
-  arrivals_.push_back(arrival);
-  if (arrivals_.size() > kMaxArrivals) arrivals_.pop_front();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (HasKeypointsOf(arrival.image_ns)) {
+      arrival.keypoints = arrival.frame;
+      have_come_ = true;
+    }
+    arrivals_.push_back(arrival);
+    if (arrivals_.size() > kMaxArrivals) arrivals_.pop_front();
+  }
+  changed_.notify_all();
 }
 
 bool KeypointInbox::AreTimely(Clock::duration grace, Clock::time_point now) const {
@@ -60,9 +67,15 @@ bool KeypointInbox::AreTimely(Clock::duration grace, Clock::time_point now) cons
   return timely >= kTimelyShare * judged;
 }
 
-bool KeypointInbox::WaitForFirst(Clock::time_point deadline) {
+bool KeypointInbox::WaitForFirst(StampNs until_ns, Clock::duration silence) {
   std::unique_lock<std::mutex> lock(mutex_);
-  changed_.wait_until(lock, deadline, [this] { return closed_ || have_come_; });
+  const auto is_over = [&] {
+    return closed_ || have_come_ || (!arrivals_.empty() && arrivals_.back().image_ns >= until_ns);
+  };
+  auto status = std::cv_status::no_timeout;
+  while (!is_over() && status == std::cv_status::no_timeout) {
+    status = changed_.wait_for(lock, silence);
+  }
   return have_come_;
 }
 
@@ -89,8 +102,13 @@ void KeypointInbox::Restart(StampNs image_ns) {
   waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(),
                                 [&](const Skeletons& s) { return is_later(s.stamp_ns); }),
                  waiting_.end());
-  have_come_ = !waiting_.empty();
-  arrivals_.clear();
+  const auto is_this = [&](const Arrival& arrival) { return arrival.image_ns == image_ns; };
+  const auto newest = std::find_if(arrivals_.rbegin(), arrivals_.rend(), is_this);
+  const auto first = newest == arrivals_.rend() ? arrivals_.end() : std::prev(newest.base());
+  arrivals_.erase(arrivals_.begin(), first);
+  have_come_ = std::any_of(arrivals_.begin(), arrivals_.end(), [&](const Arrival& arrival) {
+    return HasKeypointsOf(arrival.image_ns);
+  });
 }
 
 void KeypointInbox::Close() {

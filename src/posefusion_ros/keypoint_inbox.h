@@ -30,15 +30,17 @@ class KeypointInbox {
   /// anything is known.
   bool AreTimely(Clock::duration grace, Clock::time_point now) const;
 
-  /// Waits until keypoints of any image have come since the start or the last Restart, until
-  /// `deadline` or until Close. False when none have come.
-  bool WaitForFirst(Clock::time_point deadline);
+  /// Waits until keypoints of any noted frame have come since the start or the last Restart, until
+  /// a frame of `until_ns` or later is noted, until neither frames nor keypoints come for
+  /// `silence`, or until Close. False when no such keypoints have come.
+  bool WaitForFirst(StampNs until_ns, Clock::duration silence);
 
   /// Waits until keypoints of the image are there, until `deadline` or until Close. Then takes
   /// those of this image and of earlier ones. A stamp that means a noted frame becomes the frame's.
   std::vector<Skeletons> Take(StampNs image_ns, Clock::time_point deadline);
 
-  /// A bag was restarted: frames are forgotten, and keypoints of images later than `image_ns`.
+  /// A bag was restarted: frames before the one of `image_ns` are forgotten, and keypoints of
+  /// images later than that.
   void Restart(StampNs image_ns);
 
   /// Ends all waiting.
@@ -61,7 +63,7 @@ class KeypointInbox {
   std::condition_variable changed_;
   std::deque<Skeletons> waiting_;  ///< in order of arrival
   std::deque<Arrival> arrivals_;   ///< of the latest frames
-  bool have_come_ = false;         ///< keypoints of any image
+  bool have_come_ = false;         ///< keypoints of any noted frame
   bool closed_ = false;
 };
 

@@ -177,6 +177,15 @@ TEST(OfflineRun, FirstFramesWaitForTheFirstKeypoints) {
   EXPECT_EQ(FramesWithPeople({}), std::vector<bool>(10, true));
 }
 
+TEST(OfflineRun, FramesThatWaitAreLeftOutWhenItIsStopped) {
+  WalkingPerson source;
+  FirstSkeletonsLate skeletons;
+  int asked = 0;
+  OfflineRunHooks hooks;
+  hooks.should_stop = [&] { return ++asked > 4; };
+  EXPECT_TRUE(RunOffline(source, SystemConfig(), 1, hooks, &skeletons).frames.empty());
+}
+
 TEST(OfflineRun, FirstFramesWaitNoLongerThanTheyMay) {
   std::vector<bool> late(10, true);
   std::fill(late.begin(), late.begin() + 5, false);

@@ -30,6 +30,33 @@ TEST(BoundedQueue, SmallerCapacityCountsFromTheNextItem) {
   EXPECT_EQ(queue.PopFor(kNoWait), 5);
 }
 
+TEST(BoundedQueue, ShrinksByOneAtATimeAndToWhatWaits) {
+  BoundedQueue<int> queue(10);
+  for (int i = 0; i < 6; ++i) queue.Push(i);
+  for (const std::size_t left : {6U, 5U, 4U, 3U, 2U, 2U}) {
+    queue.ShrinkCapacity(2);
+    queue.Push(0);
+    EXPECT_EQ(queue.size(), left);
+  }
+}
+
+TEST(BoundedQueue, ShrinkingLeavesAQueueWithoutBoundAlone) {
+  BoundedQueue<int> queue(0);
+  queue.ShrinkCapacity(1);
+  for (int i = 0; i < 5; ++i) queue.Push(i);
+  EXPECT_EQ(queue.size(), 5U);
+}
+
+TEST(BoundedQueue, WhatIsPushedIfThereIsRoomDropsNothingAndIsNotMissed) {
+  BoundedQueue<int> queue(1);
+  queue.PushIfRoom(1);
+  queue.PushIfRoom(2);
+  EXPECT_EQ(queue.size(), 1U);
+  queue.Push(3);
+  EXPECT_EQ(queue.num_dropped(), 0U);
+  EXPECT_EQ(queue.PopFor(kNoWait), 3);
+}
+
 TEST(BoundedQueue, WithoutBoundNothingIsDropped) {
   BoundedQueue<int> queue(0);
   for (int i = 0; i < 1000; ++i) queue.Push(i);

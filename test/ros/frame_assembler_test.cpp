@@ -60,6 +60,19 @@ TEST(FrameAssembler, GoesOnWithTheLatestCameraInfoWhenItComesOnlyOnce) {
   EXPECT_EQ(num_frames, 20U);
 }
 
+TEST(FrameAssembler, NeedNotWaitForTheCameraInfoOfTheImage) {
+  FrameAssembler assembler({}, false);
+  const auto latched = Info(-5000);
+  assembler.AddInfo(latched);
+  for (int i = 0; i < 3; ++i) {
+    assembler.AddDepth(Image(3000 * i));
+    const auto frames = assembler.AddRgb(Image(3000 * i));
+    ASSERT_EQ(frames.size(), 1U);
+    EXPECT_EQ(frames[0].info, latched);
+    EXPECT_TRUE(assembler.Flush().empty());
+  }
+}
+
 TEST(FrameAssembler, FramesWithoutAnyCameraInfoComeWithoutIt) {
   FrameAssembler assembler({});
   assembler.AddDepth(Image(0));

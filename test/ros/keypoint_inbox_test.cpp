@@ -57,22 +57,48 @@ TEST(KeypointInbox, TakeWaitsForTheKeypointsOfItsFrameUntilTheDeadline) {
   sender.join();
 }
 
-TEST(KeypointInbox, WaitsForTheFirstKeypointsSinceTheStart) {
+TEST(KeypointInbox, FirstKeypointsAreThoseOfAKnownFrame) {
   KeypointInbox inbox;
-  const auto begin = Clock::now();
-  EXPECT_FALSE(inbox.WaitForFirst(begin + milliseconds(30)));
-  EXPECT_GE(Clock::now() - begin, milliseconds(30));
+  inbox.NoteFrame(5 * kFrame, kStart);
+  inbox.AddKeypoints(Of(4 * kFrame), kStart);
+  EXPECT_FALSE(inbox.WaitForFirst(30 * kFrame, milliseconds(1))) << "of a frame before the start";
+  inbox.AddKeypoints(Of(5 * kFrame), kStart);
+  inbox.Take(5 * kFrame, kStart);
+  EXPECT_TRUE(inbox.WaitForFirst(30 * kFrame, std::chrono::hours(1))) << "they have come";
+  inbox.AddKeypoints(Of(9 * kFrame), kStart);
+  inbox.NoteFrame(2 * kFrame, kStart);
+  inbox.Restart(2 * kFrame);
+  EXPECT_FALSE(inbox.WaitForFirst(30 * kFrame, milliseconds(1))) << "of the time before";
+  inbox.AddKeypoints(Of(2 * kFrame), kStart);
+  EXPECT_TRUE(inbox.WaitForFirst(30 * kFrame, milliseconds(1)));
+}
+
+TEST(KeypointInbox, FirstKeypointsMayComeBeforeTheirFrame) {
+  KeypointInbox inbox;
   inbox.AddKeypoints(Of(kFrame), kStart);
-  inbox.Take(kFrame, kStart);
-  EXPECT_TRUE(inbox.WaitForFirst(Clock::now() + std::chrono::hours(1))) << "they have come";
-  inbox.Restart(kFrame);
-  EXPECT_FALSE(inbox.WaitForFirst(kStart));
+  inbox.NoteBlurredFrame(kFrame, kStart);
+  EXPECT_TRUE(inbox.WaitForFirst(30 * kFrame, milliseconds(1)));
+}
+
+TEST(KeypointInbox, WaitsForTheFirstKeypointsByTheTimeOfImages) {
+  KeypointInbox inbox;
+  inbox.NoteFrame(kFrame, kStart);
+  std::thread sender([&] {
+    for (int i = 2; i <= 4; ++i) {
+      std::this_thread::sleep_for(milliseconds(10));
+      inbox.NoteFrame(i * kFrame, kStart);
+    }
+  });
+  const auto begin = Clock::now();
+  EXPECT_FALSE(inbox.WaitForFirst(4 * kFrame, std::chrono::hours(1)));
+  EXPECT_GE(Clock::now() - begin, milliseconds(30));
+  sender.join();
 }
 
 TEST(KeypointInbox, CloseEndsTheWaiting) {
   KeypointInbox inbox;
   inbox.Close();
-  EXPECT_FALSE(inbox.WaitForFirst(Clock::now() + std::chrono::hours(1)));
+  EXPECT_FALSE(inbox.WaitForFirst(kFrame, std::chrono::hours(1)));
   EXPECT_TRUE(inbox.Take(kFrame, Clock::now() + std::chrono::hours(1)).empty());
 }
 

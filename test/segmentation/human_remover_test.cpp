@@ -160,6 +160,11 @@ TEST(HumanRemover, PolicyPassCutsOnlyWithOwnKeypoints) {
       remover, 4, [](int i) { return i % 2 == 0 ? kOnTime(i) : std::vector<Skeletons>(); });
   EXPECT_GT(cv::countNonZero(cuts[2].mask), 0);
   EXPECT_EQ(cv::countNonZero(cuts[3].mask), 0);
+  remover.Follow(MovingPerson().FrameAt(4));
+  const HumanCut late = remover.Process(MovingPerson().FrameAt(5), kOnTime(3));
+  EXPECT_EQ(cv::countNonZero(late.mask), 0);
+  EXPECT_NEAR(*late.mask_age_s, 3 * 0.033, 1e-6) << "of the keypoints that were used";
+  EXPECT_EQ(remover.counts().unmatched, 1);
 }
 
 TEST(HumanRemover, CountsKeypointsOfFramesThatNeverCame) {

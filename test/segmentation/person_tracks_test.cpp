@@ -41,6 +41,17 @@ TEST(PersonTracks, HoldsWhoeverShowedManyCertainJointsForAMoment) {
   EXPECT_FALSE(tracks.Holds(certain));
 }
 
+TEST(PersonTracks, TwoMissedImagesAtFiveHertzAreNoReasonToForget) {
+  const PersonHoldConfig config;
+  PersonTracks tracks{config};
+  const CellPerson person = *tracks.Add(0.2);
+  tracks.Confirm(person, 0.2, config.min_certain_joints);
+  tracks.NoteKeypoints(0.6);
+  EXPECT_TRUE(tracks.Holds(person));
+  tracks.NoteKeypoints(0.8);
+  EXPECT_FALSE(tracks.Holds(person));
+}
+
 TEST(PersonTracks, NumbersRunOutWithoutHarm) {
   PersonTracks tracks{PersonHoldConfig()};
   for (int i = 0; i < kMaxPersonNumber; ++i) EXPECT_TRUE(tracks.Add(0));

@@ -209,6 +209,7 @@ OfflineRun RunOffline(FrameSource& source, const SystemConfig& config, int num_t
   OfflineRun run;
   Runner runner(config, skeletons != nullptr, num_threads, odometry, hooks, run);
   const auto process = [&](const RgbdFrame& frame) {
+    if (hooks.should_stop()) return;
     try {
       runner.Process(frame);
     } catch (const std::exception& error) {

@@ -103,7 +103,9 @@ void HumanRemover::State::Append(const RgbdFrame& frame,
 const Skeletons* HumanRemover::State::Newest(const std::vector<Skeletons>& arrived) {
   const Skeletons* newest = nullptr;
   for (const Skeletons& skeletons : arrived) {
-    if (history.Find(skeletons.stamp_ns) == history.size()) {
+    const bool is_too_late =
+        config.policy == KeypointPolicy::kPass && skeletons.stamp_ns != last_stamp_ns;
+    if (is_too_late || history.Find(skeletons.stamp_ns) == history.size()) {
       ++counts.unmatched;
       continue;
     }
@@ -293,8 +295,7 @@ HumanCut HumanRemover::Process(const RgbdFrame& frame, const std::vector<Skeleto
   HumanCut result;
   result.has_own_keypoints = newest != nullptr && newest->stamp_ns == frame.stamp_ns;
   s.ForgetWhatIsTooOld(frame.stamp_ns);
-  const bool is_late = newest != nullptr && !result.has_own_keypoints;
-  if (is_late && s.config.policy != KeypointPolicy::kPass) {
+  if (newest != nullptr && !result.has_own_keypoints) {
     const std::size_t then = s.history.Find(newest->stamp_ns);
     s.CutAt(then, newest, s.past_mask);
     for (std::size_t index = then + 1; index < last; ++index) {
@@ -317,6 +318,7 @@ HumanCut HumanRemover::Process(const RgbdFrame& frame, const std::vector<Skeleto
 void HumanRemover::Follow(const RgbdFrame& frame, const std::optional<Eigen::Vector3f>& gravity) {
   State& s = *state_;
   s.Check(frame);
+  if (s.config.policy == KeypointPolicy::kPass) return;
   s.Append(frame, gravity);
   s.ForgetWhatIsTooOld(frame.stamp_ns);
   const std::size_t last = s.history.size() - 1;

@@ -23,7 +23,8 @@ struct HumanCut {
 /// What has been done with keypoints.
 struct KeypointCounts {
   int used = 0;
-  int unmatched = 0;  ///< of no frame that is known: left out, too old, or of another clock
+  /// Of no frame that is known (left out, too old, or of another clock), or late with policy pass.
+  int unmatched = 0;
 };
 
 /// Cuts people out of a stream of frames, with keypoints that may be late, missing or wrong.

@@ -58,13 +58,14 @@ class HumanRemovalNodelet : public CheckedNodelet {
                                              << ", keypoints from " << skeletons_topic_);
   }
 
-  /// Frames that may never come are not missed.
+  /// Frames that may never come are not missed. They are so rare that they cannot show whether
+  /// camera_infos have the stamps of images.
   void SubscribeBlurred(const ros::NodeHandle& node) {
     InputConfig input = config_.ros.input;
     input.no_data_warning_s = std::numeric_limits<double>::infinity();
     blurred_ = std::make_unique<RgbdSubscriber>(
         node, RgbdTopics{kBlurredRgbTopic, kBlurredDepthTopic, kBlurredInfoTopic}, input, true,
-        [this](const RgbdMessages& frame) { worker_->PushBlurred(frame); });
+        [this](const RgbdMessages& frame) { worker_->PushBlurred(frame); }, false);
   }
 
   /// The odometry frame stands upright; without one nobody needs tf.

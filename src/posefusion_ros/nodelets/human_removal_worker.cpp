@@ -19,6 +19,10 @@ constexpr std::chrono::milliseconds kPollPeriod(100);
 /// Frames that may wait for the first keypoints.
 constexpr std::size_t kMaxFirstFrames = 300;
 
+std::size_t QueueCapacity(const HumanRemovalRosConfig& config, std::size_t size) {
+  return config.input.lossless ? 0 : size;
+}
+
 Clock::duration Duration(double seconds) {
   return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
@@ -33,8 +37,7 @@ HumanRemovalWorker::HumanRemovalWorker(const HumanRemovalNodeletConfig& config,
       topics_(std::move(topics)),
       callbacks_(std::move(callbacks)),
       trouble_(kLogPeriodS, callbacks_.log_error, callbacks_.log_info),
-      queue_(0) {
-  LetFramesWait(kMaxFirstFrames);
+      queue_(QueueCapacity(config.ros, kMaxFirstFrames)) {
   if (config_.removal.enabled) remover_.emplace(config_.removal);
   thread_ = std::thread([this] { Run(); });
 }
@@ -48,14 +51,13 @@ HumanRemovalWorker::~HumanRemovalWorker() {
 void HumanRemovalWorker::Push(RgbdMessages messages) {
   const auto now = Clock::now();
   inbox_.NoteFrame(ToStampNs(messages.rgb->header.stamp), now);
-  queue_.Push({std::move(messages), now, false}, [](const Item& item) { return !item.is_blurred; });
+  queue_.Push({std::move(messages), now, false});
 }
 
 void HumanRemovalWorker::PushBlurred(RgbdMessages messages) {
   const auto now = Clock::now();
   inbox_.NoteBlurredFrame(ToStampNs(messages.rgb->header.stamp), now);
-  if (!config_.ros.input.lossless && queue_.size() > 0) return;
-  queue_.Push({std::move(messages), now, true});
+  queue_.PushIfRoom({std::move(messages), now, true});
 }
 
 void HumanRemovalWorker::PushKeypoints(Skeletons skeletons) {
@@ -67,16 +69,14 @@ void HumanRemovalWorker::Run() {
     const auto item = queue_.PopFor(kPollPeriod);
     TakeOver();
     if (!item) continue;
-    item->is_blurred ? Follow(*item) : Work(*item);
-    LetFramesWait(queue_.size());
+    if (item->is_blurred) {
+      Follow(*item);
+    } else {
+      Work(*item);
+    }
+    // Frames that piled up behind the first one go on one by one.
+    queue_.ShrinkCapacity(static_cast<std::size_t>(config_.ros.queue_size));
   }
-}
-
-/// As many as may always wait, or so many more. Frames that piled up while the first one waited go
-/// on one by one, and the pile has gone after as many frames.
-void HumanRemovalWorker::LetFramesWait(std::size_t num_frames) {
-  if (config_.ros.input.lossless) return;
-  queue_.SetCapacity(std::max(num_frames, static_cast<std::size_t>(config_.ros.queue_size)));
 }
 
 void HumanRemovalWorker::Adopt(const HumanRemovalConfig& config) {
@@ -108,13 +108,15 @@ void HumanRemovalWorker::Work(const Item& item) {
   try {
     if (remover_) {
       frame = Open(item);
-      WaitForFirstKeypoints(item);
+      RestartIfTimeWentBack(frame.stamp_ns);
+      WaitForFirstKeypoints(frame.stamp_ns);
       const std::vector<Skeletons> keypoints = TakeKeypoints(frame, item);
       cut = remover_->Process(frame, keypoints, FindGravity(item));
       result.frame = &frame;
       result.cut = &cut;
       result.remover = &*remover_;
     }
+    is_start_ = false;
     trouble_.AllWell();
   } catch (const std::exception& error) {
     trouble_.Report(error.what(), SteadyNowS());
@@ -127,16 +129,16 @@ void HumanRemovalWorker::Follow(const Item& item) {
   if (!remover_) return;
   try {
     const RgbdFrame frame = Open(item);
+    if (last_stamp_ns_ && frame.stamp_ns <= *last_stamp_ns_) return;
     remover_->Follow(frame, FindGravity(item));
+    last_stamp_ns_ = frame.stamp_ns;
   } catch (const std::exception& error) {
     trouble_.Report(error.what(), SteadyNowS());
   }
 }
 
-RgbdFrame HumanRemovalWorker::Open(const Item& item) {
-  RgbdFrame frame = ToRgbdFrame(item.messages, camera_info_.images_are_rectified, topics_);
-  RestartIfTimeWentBack(frame.stamp_ns);
-  return frame;
+RgbdFrame HumanRemovalWorker::Open(const Item& item) const {
+  return ToRgbdFrame(item.messages, camera_info_.images_are_rectified, topics_);
 }
 
 void HumanRemovalWorker::RestartIfTimeWentBack(StampNs stamp_ns) {
@@ -154,13 +156,15 @@ void HumanRemovalWorker::RestartIfTimeWentBack(StampNs stamp_ns) {
   is_start_ = true;
 }
 
-/// Whoever stands before the camera from the start shall not be in the map.
-void HumanRemovalWorker::WaitForFirstKeypoints(const Item& item) {
-  if (!std::exchange(is_start_, false)) return;
+/// Whoever stands before the camera from the start shall not be in the map. By the time of the
+/// images, as run_dataset has it.
+void HumanRemovalWorker::WaitForFirstKeypoints(StampNs stamp_ns) {
   const double max_wait_s = config_.removal.max_start_wait_s;
-  if (config_.removal.policy == KeypointPolicy::kPass || max_wait_s <= 0) return;
-  LetFramesWait(kMaxFirstFrames);
-  if (inbox_.WaitForFirst(item.arrived + Duration(max_wait_s))) return;
+  if (!is_start_ || config_.removal.policy == KeypointPolicy::kPass || max_wait_s <= 0) return;
+  queue_.SetCapacity(QueueCapacity(config_.ros, kMaxFirstFrames));
+  const bool have_come = inbox_.WaitForFirst(stamp_ns + StampFromSeconds(max_wait_s),
+                                             Duration(config_.ros.input.flush_after_s));
+  if (have_come || queue_.closed()) return;
   callbacks_.log_info("no keypoints came within " + std::to_string(max_wait_s) +
                       " s of the first frame (max_start_wait_s): going on without");
 }

@@ -28,7 +28,8 @@ struct RemovalResult {
 };
 
 /// Runs HumanRemover on its own thread behind a bounded queue. Every frame that was not dropped is
-/// handed on, in order, whatever happens to it.
+/// handed on, in order, whatever happens to it; blurred frames only help to follow people. While
+/// the first frame waits for the first keypoints the others queue up behind it.
 class HumanRemovalWorker {
  public:
   struct Callbacks {
@@ -51,8 +52,8 @@ class HumanRemovalWorker {
 
   /// All thread-safe; they return at once.
   void Push(RgbdMessages messages);
-  /// A blurred frame: people are followed through it, and it is not handed on. Left out when other
-  /// frames wait.
+  /// A blurred frame: people are followed through it, and it is not handed on. Left out when the
+  /// queue is full, and when a newer frame has been worked on.
   void PushBlurred(RgbdMessages messages);
   void PushKeypoints(Skeletons skeletons);
 
@@ -71,15 +72,14 @@ class HumanRemovalWorker {
   void TakeOver();
   void Work(const Item& item);
   void Follow(const Item& item);
-  RgbdFrame Open(const Item& item);
+  RgbdFrame Open(const Item& item) const;
   void RestartIfTimeWentBack(StampNs stamp_ns);
-  void WaitForFirstKeypoints(const Item& item);
-  void LetFramesWait(std::size_t num_frames);
+  void WaitForFirstKeypoints(StampNs stamp_ns);
   std::vector<Skeletons> TakeKeypoints(const RgbdFrame& frame, const Item& item);
   std::optional<Eigen::Vector3f> FindGravity(const Item& item) const;
   KeypointInbox::Clock::duration WaitTime() const;
 
-  HumanRemovalNodeletConfig config_;  ///< of the worker's thread
+  HumanRemovalNodeletConfig config_;  ///< `removal` is of the worker's thread, the rest constant
   const CameraInfoConfig camera_info_;
   const RgbdTopics topics_;
   const Callbacks callbacks_;

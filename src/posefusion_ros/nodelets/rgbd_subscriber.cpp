@@ -20,12 +20,13 @@ StampMatcherOptions MatcherOptions(const InputConfig& config, bool sender_pairs)
 }  // namespace
 
 RgbdSubscriber::RgbdSubscriber(ros::NodeHandle node, const RgbdTopics& topics,
-                               const InputConfig& config, bool sender_pairs, Callback callback)
+                               const InputConfig& config, bool sender_pairs, Callback callback,
+                               bool waits_for_info)
     : flush_after_s_(config.flush_after_s),
       callback_(std::move(callback)),
       topics_{node.resolveName(topics.rgb), node.resolveName(topics.depth),
               node.resolveName(topics.info)},
-      assembler_(MatcherOptions(config, sender_pairs)),
+      assembler_(MatcherOptions(config, sender_pairs), waits_for_info),
       last_message_s_(SteadyNowS()) {
   const std::vector<std::string> names = {topics_.rgb, topics_.depth, topics_.info};
   watchdog_ = std::make_unique<TopicWatchdog>(names, config.no_data_warning_s, last_message_s_);

@@ -23,8 +23,9 @@ class RgbdSubscriber {
 
   /// `sender_pairs`: the topics carry nothing but pairs (they come from one of our nodelets), so
   /// nobody has to wait for the next message to know which images belong together.
+  /// `waits_for_info`: see FrameAssembler.
   RgbdSubscriber(ros::NodeHandle node, const RgbdTopics& topics, const InputConfig& config,
-                 bool sender_pairs, Callback callback);
+                 bool sender_pairs, Callback callback, bool waits_for_info = true);
 
   /// Resolved names, for messages to people.
   const RgbdTopics& topics() const { return topics_; }
