@@ -35,8 +35,8 @@ class RememberedPeopleTest : public testing::Test {
             const Eigen::Isometry3f& T_before_now, const CellGrid& cells, double time_s) {
     people_.Forget(cells.size());
     RememberedPeople result;
-    RememberPeople({from, cells_before_, remembered, 0}, T_before_now, cells, time_s, config_,
-                   people_, result);
+    RememberPeople({from, cells_before_, remembered, 0, velocities_}, T_before_now, cells, time_s,
+                   config_, people_, result);
     remembered_ = result;
   }
 
@@ -67,7 +67,25 @@ class RememberedPeopleTest : public testing::Test {
   CellPeople before_;
   CellPeople people_;
   RememberedPeople remembered_;
+  PeopleVelocities velocities_;
 };
+
+TEST_F(RememberedPeopleTest, WhoeverWalksIsLookedForFartherOn) {
+  velocities_[kSomebody] = Eigen::Vector3f(0, 0, -2);
+  Show(cells_now_, 2);
+  Step(before_, {}, Eigen::Isometry3f::Identity(), cells_now_, 0.2);
+  EXPECT_EQ(NumFound(), 0) << "something else is where somebody was";
+  Show(cells_now_, 1.6F);
+  Step(before_, {}, Eigen::Isometry3f::Identity(), cells_now_, 0.2);
+  EXPECT_GT(NumFound(), 120) << "of what has not left the view";
+}
+
+TEST_F(RememberedPeopleTest, WhoeverOnlySwaysStays) {
+  velocities_[kSomebody] = Eigen::Vector3f(0, 0, -0.2F);
+  Show(cells_now_, 2);
+  Step(before_, {}, Eigen::Isometry3f::Identity(), cells_now_, 1);
+  EXPECT_GT(NumFound(), 250);
+}
 
 TEST_F(RememberedPeopleTest, SomebodyOutOfTheViewIsThereWhenTheCameraComesBack) {
   Show(cells_now_, 4);
@@ -103,8 +121,8 @@ TEST_F(RememberedPeopleTest, WhatIsKnownOfACellStays) {
   people_.Forget(cells_now_.size());
   people_.person.Fill(kNobody);
   RememberedPeople remembered;
-  RememberPeople({before_, cells_before_, {}, 0}, Eigen::Isometry3f::Identity(), cells_now_, 0.1,
-                 config_, people_, remembered);
+  RememberPeople({before_, cells_before_, {}, 0, velocities_}, Eigen::Isometry3f::Identity(),
+                 cells_now_, 0.1, config_, people_, remembered);
   EXPECT_EQ(NumFound(), 0);
 }
 

@@ -27,7 +27,8 @@ struct PastFrame {
   std::optional<Eigen::Isometry3d> T_before_now;  ///< of the camera (CameraMotion)
   CellPeople people;
   RememberedPeople remembered;
-  std::vector<Plane> planes;  ///< large background surfaces
+  PeopleVelocities velocities;  ///< along the axes of this camera
+  std::vector<Plane> planes;    ///< large background surfaces
   NearPeople near_people;
 };
 

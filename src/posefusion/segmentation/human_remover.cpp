@@ -60,6 +60,7 @@ struct HumanRemover::State {
   std::optional<PersonCutter> cutter;
   MotionField motion_field;
   CameraMotion camera_motion;
+  VelocityMeter velocity_meter;
   PeopleColours people_colours;
   CellListener on_cell;  ///< null: nobody is told
   FrameHistory history;
@@ -126,6 +127,7 @@ void HumanRemover::State::ForgetWhatIsTooOld(StampNs now_ns) {
 void HumanRemover::State::CarryInto(std::size_t index) {
   PastFrame& now = history[index];
   now.remembered.clear();
+  now.velocities.fill(std::nullopt);
   if (index == 0 || now.motion.empty()) {
     now.people.Forget(now.cells.size());
     return;
@@ -133,10 +135,16 @@ void HumanRemover::State::CarryInto(std::size_t index) {
   const PastFrame& before = history[index - 1];
   CarryPeople(before.people, before.cells, now.motion, now.cells,
               SecondsBetween(before.frame.stamp_ns, now.frame.stamp_ns), config.carry, now.people);
+  now.velocities = before.velocities;
   if (!now.T_before_now) return;
-  RememberPeople({before.people, before.cells, before.remembered, Time(before.frame.stamp_ns)},
-                 now.T_before_now->cast<float>(), now.cells, Time(now.frame.stamp_ns),
-                 config.remembered_people, now.people, now.remembered);
+  const Eigen::Isometry3f T_before_now = now.T_before_now->cast<float>();
+  velocity_meter.Update({before.cells, now.cells, now.people, now.motion, T_before_now,
+                         SecondsBetween(before.frame.stamp_ns, now.frame.stamp_ns)},
+                        now.velocities);
+  RememberPeople({before.people, before.cells, before.remembered, Time(before.frame.stamp_ns),
+                  before.velocities},
+                 T_before_now, now.cells, Time(now.frame.stamp_ns), config.remembered_people,
+                 now.people, now.remembered);
 }
 
 void HumanRemover::State::KeepCuts(std::vector<PersonCut>& cuts) const {
@@ -163,6 +171,9 @@ void HumanRemover::State::CutSkeletons(PastFrame& entry, const Skeletons& skelet
   }
   MarkSure(entry);
   RecognisePeople(entry.people, time_s, tracks, seen.cuts);
+  for (const PersonCut& cut : seen.cuts) {
+    if (cut.is_new) entry.velocities[cut.owner].reset();
+  }
   tracks.NoteKeypoints(time_s);  // not before everybody could be recognised
 }
 

@@ -5,6 +5,7 @@
 
 #include "posefusion/segmentation/carried_people.h"
 #include "posefusion/segmentation/cell_grid.h"
+#include "posefusion/segmentation/people_velocities.h"
 
 namespace posefusion {
 
@@ -12,8 +13,9 @@ struct RememberedPeopleConfig {
   bool enabled = true;
   double memory_s = 3.0;  ///< whoever is out of view stays where they were for so long
   double max_difference_m =
-      0.08;                ///< a cell this close in depth to where somebody was is theirs ...
-  double speed_m_s = 0.1;  ///< ... and so much more for each second since
+      0.08;                   ///< a cell this close in depth to where somebody was is theirs ...
+  double speed_m_s = 0.1;     ///< ... and so much more for each second since
+  double min_walk_m_s = 0.3;  ///< whoever was faster goes on walking there
 };
 
 template <class V>
@@ -22,6 +24,7 @@ void Describe(V& v, RememberedPeopleConfig& c) {
   v.Field("memory_s", c.memory_s, 0.0, 60.0);
   v.Field("max_difference_m", c.max_difference_m, 0.0, 1.0);
   v.Field("speed_m_s", c.speed_m_s, 0.0, 10.0);
+  v.Field("min_walk_m_s", c.min_walk_m_s, 0.0, 100.0);
 }
 
 /// A place of somebody who is out of the view or hidden.
@@ -40,11 +43,13 @@ struct PeopleThen {
   const CellGrid& cells;
   const RememberedPeople& remembered;
   double time_s;
+  const PeopleVelocities& velocities;  ///< in the camera frame of that frame
 };
 
-/// Takes everybody of the frame before into now by the camera's motion alone, as if they stood
-/// still. Cells of `people` that are unknown and show a surface where somebody was become theirs;
-/// what is out of the view or hidden is remembered. `people` holds what CarryPeople found.
+/// Takes everybody of the frame before into now by the camera's motion, as if they stood still or
+/// went on walking as before. Cells of `people` that are unknown and show a surface where somebody
+/// was become theirs; what is out of the view or hidden is remembered. `people` holds what
+/// CarryPeople found.
 void RememberPeople(const PeopleThen& before, const Eigen::Isometry3f& T_before_now,
                     const CellGrid& cells, double time_s, const RememberedPeopleConfig& config,
                     CellPeople& people, RememberedPeople& remembered);

@@ -10,7 +10,8 @@ namespace posefusion {
 struct HumanRemovalRosConfig {
   InputConfig input;
   bool input_is_paired = true;  ///< the topics under sharp/ carry only pairs
-  int queue_size = 1;           ///< frames that may wait; the oldest is dropped
+  /// Frames that may wait; the oldest is dropped. More wait while there are no keypoints yet.
+  int queue_size = 1;
   /// A frame waits so long for its keypoints, as long as those of nearly every frame come in time.
   double keypoint_grace_s = 0.03;
   /// And so long for the camera's pose in `frames.odom_frame`, while those of the frames before
